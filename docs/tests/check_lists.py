@@ -1,4 +1,7 @@
-"""Whether lists of functions have all that the headers declare. Usage: check_lists.py SOURCE"""
+"""Whether lists of functions have all that the headers declare, and whether the targets exist that pages tell users to build.
+
+Usage: check_lists.py SOURCE
+"""
 
 import re
 import sys
@@ -62,7 +65,20 @@ def complaints_of_purposes():
         yield "functions are lost beside two that are named"
 
 
+def complaints_of_targets():
+    """``meson compile -C FOLDER TARGET`` on a page names a target of a meson.build."""
+    targets = {name for file in SOURCE.rglob("meson.build") if "build" not in file.relative_to(SOURCE).parts[0]
+               for name in re.findall(r"\b(?:run|alias)_target\(\s*'([\w-]+)'", file.read_text(encoding="utf-8"))}  # fmt: skip
+    pages = [SOURCE / "README.md", *SOURCE.glob("*/README.md"), *SOURCE.glob("docs/**/*.rst"), *SOURCE.glob("docs/**/*.sh")]
+    command = re.compile(r"meson compile -C \S+ ([a-z][\w-]*)(?=`|  |$)", re.MULTILINE)
+    named = {(page, name) for page in pages for name in command.findall(page.read_text(encoding="utf-8"))}
+    if len(named) < 5:
+        yield f"only {len(named)} targets are found on pages"
+    yield from (f"{page.relative_to(SOURCE)}: meson has no target {name}" for page, name in named if name not in targets)
+
+
 def complaints():
+    yield from complaints_of_targets()
     names = [name for name in c_functions() if not name.startswith(tuple(CLASSES))]
     in_cpp = {re.sub(r"_batch$", "", function.name) for header in CPP_HEADERS for function in functions(header)}
     for name in map(plain, names):

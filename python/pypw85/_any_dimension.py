@@ -17,7 +17,14 @@ MAX_DIMENSION = 16
 
 
 class NdContactGeometry(NamedTuple):
-    """Point of contact of scaled ellipsoids, and derivatives of μ²; see `nd_contact_geometry`."""
+    """Result of `nd_contact_geometry` in n dimensions.
+
+    - `point` (..., n): point at which the ellipsoids touch if both are scaled by μ, relative to the centre of ellipsoid 1;
+    - `normal` (..., n): common unit normal at this point, from ellipsoid 1 to ellipsoid 2;
+    - `d_r12` (..., n): derivative of μ² with respect to `r12`;
+    - `d_q1`, `d_q2` (..., n (n + 1)/2): derivatives of μ² with respect to the packed forms. An entry off the diagonal stands for two
+      entries of the matrix.
+    """
 
     point: Floats
     normal: Floats
@@ -27,7 +34,12 @@ class NdContactGeometry(NamedTuple):
 
 
 class NdDistance(NamedTuple):
-    """The distance of ellipsoids, and where they are closest; see `nd_distance`."""
+    """Result of `nd_distance` in n dimensions.
+
+    - `distance` (...): distance of the surfaces; 0 if the ellipsoids overlap;
+    - `point1`, `point2` (..., n): the closest points of the ellipsoids, relative to the centre of ellipsoid 1; NaN if they overlap;
+    - `normal` (..., n): unit vector from `point1` to `point2`; NaN if the ellipsoids overlap.
+    """
 
     distance: Any
     point1: Floats
@@ -36,12 +48,12 @@ class NdDistance(NamedTuple):
 
 
 def nd_contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
-    """Contact function of two ellipsoids in n dimensions, 1 <= n <= 16.
+    """Computes the contact function of two ellipsoids in n dimensions, 1 <= n <= 16.
 
     Parameters
     ----------
     r12 : (..., n) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2. The last dimension is n.
+        Vectors from the centre of ellipsoid 1 to that of ellipsoid 2. Their length is the number of dimensions n.
     q1, q2 : (..., n, n) or (..., n (n + 1)/2) array_like
         The forms: symmetric matrices, or their upper triangles row by row. Leading dimensions broadcast with those of `r12`.
 
@@ -50,7 +62,7 @@ def nd_contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
     mu2 : (...) array
         Square of the common factor by which both ellipsoids must be scaled to touch.
     lambda : (...) array
-        Where f has its maximum.
+        The maximiser λ of f, from 0 to 1.
 
     Raises
     ------
@@ -75,7 +87,7 @@ def nd_contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
 
 
 def nd_contact_geometry(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: ArrayLike) -> NdContactGeometry:
-    """Point at which two ellipsoids in n dimensions, scaled by μ, touch, their common normal, and the derivatives of μ².
+    """Computes the contact point and the normal of two ellipsoids in n dimensions that are scaled by μ, and the derivatives of μ².
 
     Parameters
     ----------
@@ -87,8 +99,7 @@ def nd_contact_geometry(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: A
     Returns
     -------
     NdContactGeometry
-        `point` and `normal`, (..., n) arrays; `d_r12`, `d_q1` and `d_q2`, the derivatives of μ². Those with respect to a form are
-        packed: with respect to the entries of the upper triangle, of which one off the diagonal stands for two of the matrix.
+        Contact point, normal, and the derivatives of μ² with respect to `r12` and to the packed forms.
 
     Raises
     ------
@@ -211,7 +222,7 @@ def nd_contains(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
-    """Factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions, and where they touch then.
+    """Computes the factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions, and where they then touch.
 
     The centre of ellipsoid 1 stays fixed.
 
@@ -249,7 +260,7 @@ def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, A
 
 
 def nd_distance(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> NdDistance:
-    """Distance of the surfaces of two ellipsoids in n dimensions, the closest points, and the normal there.
+    """Computes the distance of the surfaces of two ellipsoids in n dimensions, the closest points, and the normal.
 
     Parameters
     ----------
@@ -259,8 +270,7 @@ def nd_distance(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> NdDistance:
     Returns
     -------
     NdDistance
-        `distance`, a (...) array: 0 if the ellipsoids overlap. `point1`, `point2` and `normal`, (..., n) arrays: the closest points,
-        relative to the centre of ellipsoid 1, and the unit vector from the first to the second; NaN if the ellipsoids overlap.
+        Distance, closest points and normal.
 
     Raises
     ------

@@ -41,9 +41,10 @@ _LARGEST_CORRELATION = 0.95
 
 
 class Estimate(NamedTuple):
-    """An average, its standard error, and to how many independent samples it corresponds.
+    """An average with its standard error, from correlated samples.
 
-    Error and samples are NaN if the samples are too few for the time over which they, or others of the same run, are correlated.
+    `value` is the average, `error` its standard error, and `samples` the number of independent samples that would have the same error.
+    `error` and `samples` are NaN if the run is too short compared with the correlation time.
     """
 
     value: Any
@@ -66,7 +67,7 @@ class Blocking:
     Parameters
     ----------
     size : int
-        How many numbers a sample has.
+        Number of numbers in a sample.
 
     Examples
     --------
@@ -96,16 +97,16 @@ class Blocking:
         self._pending: list[Floats] = []
 
     def __len__(self) -> int:
-        """The number of samples."""
+        """Number of samples."""
         return self._counts[0] if self._counts else 0
 
     def add(self, sample: ArrayLike) -> None:
-        """Takes the next sample.
+        """Adds the next sample.
 
         Parameters
         ----------
         sample : (size) array_like
-            A number that is NaN in any sample has the average NaN.
+            If one of the numbers is NaN in any sample, its average is NaN.
         """
         block, level = reals(sample, "Blocking.add: sample").copy(), 0
         if block.size != self.size:
@@ -138,12 +139,12 @@ class Blocking:
             self._products[level] = np.concatenate([[self.size], sums])
 
     def estimate(self) -> Estimate:
-        """The averages.
+        """Averages with standard errors that are valid if there is no drift.
 
         Returns
         -------
         Estimate
-            Of arrays (size).
+            Its members are arrays (size).
         """
         mean = self._means[0].copy() if len(self) else np.full(self.size, np.nan)
         error, samples = self.errors(self.squared_error)
@@ -158,13 +159,14 @@ class Blocking:
     def cautious(self) -> Estimate:
         """The averages, with errors that allow for a drift and for their own uncertainty.
 
-        A drift within its error cannot be told from none. So the squared error grows by the factor 1 + 5 t², with the drift t of `drifts`.
-        The error of n independent samples has the relative error 1/√(2 (n - 1)), which is added, with n of the slowest number.
+        A small drift cannot be distinguished from no drift. Therefore the squared error grows by the factor 1 + 5 t², with the drift t of
+        `drifts`. An error from n independent samples has itself the relative error 1/√(2 (n - 1)); this is added, with n of the slowest
+        number.
 
         Returns
         -------
         Estimate
-            Of arrays (size).
+            Its members are arrays (size).
         """
         value, error, samples = self.estimate()
         known = samples[~np.isnan(samples) & (error > 0)]
@@ -172,10 +174,10 @@ class Blocking:
         return Estimate(value, error * widening(slowest, self.drifts()), samples)
 
     def resolved(self) -> NDArray[np.bool_]:
-        """Marks the numbers that have enough independent samples for an error that is itself known to a fifth or so.
+        """Returns which numbers have enough independent samples for an error that is itself known to about 20 %.
 
-        A number needs 16 independent samples, and 16 independent ones among 48 to 95 shortest blocks. The run is then long compared with
-        its slowest part, too, which faster parts with a larger variance may hide.
+        A number needs 16 independent samples, also if only 48 to 95 blocks of samples are considered. Thus the run is long compared
+        with its slowest fluctuation, which may be hidden by faster fluctuations with a larger variance.
 
         Returns
         -------
@@ -208,12 +210,12 @@ class Blocking:
         return result
 
     def drifts(self) -> Floats:
-        """The drift of the numbers from the first sample to the last, by a straight line, over the standard error of this difference.
+        """Drifts: the change along a fitted straight line from the first sample to the last, divided by its standard error.
 
         Returns
         -------
         (size) array
-            Of the order of one if there is no drift; NaN if there are fewer than 32 samples.
+            About 1 or less if there is no drift; NaN for fewer than 32 samples.
         """
         error, n = self.errors(self._squared_error_about_line)[0], len(self)
         if not n:
@@ -273,17 +275,18 @@ class Blocking:
         return slow
 
     def state(self) -> Floats:
-        """All numbers, for `restore`: a row for each length of blocks."""
+        """All numbers of this object as an array for `restore`, one row for each length of blocks."""
         rows = [np.concatenate([[count], *parts]) for count, *parts in zip(self._counts, *self._rows(), self._products)]
         return np.array(rows).reshape(len(rows), _width(self.size))
 
     @classmethod
     def restore(cls, state: ArrayLike) -> Blocking:
-        """Averages that continue those whose `state` is given, bit by bit.
+        """Makes an object from the result of `state`. It continues the saved averages with bitwise equal results.
 
         Parameters
         ----------
         state : array_like
+            From `state`.
 
         Returns
         -------

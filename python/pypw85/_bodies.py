@@ -36,10 +36,11 @@ _STEPS = 1024
 
 
 def inertia(q: ArrayLike, shell: bool = False) -> Floats:
-    """Tensors of inertia of ellipsoids of unit density, about their centres.
+    """Computes the tensors of inertia of ellipsoids of density 1 about their centres.
 
-    This is m (tr(M) I - M) with the second moments M and the volume or area m. Multiplied by the density, or by the mass per area, it is
-    the tensor of the body. Divided by `volume`, or by `surface_area`, it is that of mass 1.
+    The tensor is m (tr(M) I - M) with the second moments M (`second_moments`, or `shell_moments` for a shell) and the volume (the area of
+    the surface) m. For a body of another density (mass per area), multiply the result by it. For a body of mass 1, divide the result by
+    `volume` (`surface_area`).
 
     Parameters
     ----------
@@ -51,6 +52,7 @@ def inertia(q: ArrayLike, shell: bool = False) -> Floats:
     Returns
     -------
     (..., 6) array
+        Symmetric tensors, packed as (xx, xy, xz, yy, yz, zz), in the fifth power of the unit of length (fourth for a shell).
 
     Raises
     ------
@@ -59,6 +61,8 @@ def inertia(q: ArrayLike, shell: bool = False) -> Floats:
 
     Examples
     --------
+    A solid ellipsoid of mass 1 with the semi-axes 1, 2 and 3:
+
     >>> import pypw85
     >>> q = [1, 0, 0, 4, 0, 9]
     >>> (pypw85.inertia(q) / pypw85.volume(q)).round(12) + 0.0
@@ -84,12 +88,11 @@ def _as_inertia(function: Callable[[ArrayLike], Floats], q: ArrayLike) -> Floats
 
 
 def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool = False) -> Floats:
-    """Random points of an ellipsoid, uniform in its volume or on its surface.
+    """Draws random points that are uniform in the volume of an ellipsoid, or on its surface.
 
-    The points of the surface are those of a sphere, uniform and stretched by the semi-axes a ≥ b ≥ c, of which each is kept with the
-    probability c √(x²/a⁴ + y²/b⁴ + z²/c⁴) at the point (x, y, z). This is the ratio of the elements of area over its largest value, so
-    the points are exactly uniform. On the average S/(4πab) of them are kept, with the area S. Because S is at least twice the area of the
-    shadow, πab, this is at least one half for every shape.
+    Points on the surface come from uniform points on a sphere, which are stretched by the semi-axes a ≥ b ≥ c. A point (x, y, z) is then
+    kept with the probability c √(x²/a⁴ + y²/b⁴ + z²/c⁴), which is proportional to the ratio of the area elements. Therefore the points
+    are uniform. For every shape, at least half of the points are kept.
 
     Parameters
     ----------
@@ -98,14 +101,15 @@ def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool =
     n : int
         Number of points.
     seed : int
-        Selects the random numbers, from 0 to 2**64 - 1. Point k depends on q, the seed and k alone, and is that of `pw85_random_points`
-        in C.
+        Seed of the random numbers, from 0 to 2**64 - 1. Point k depends only on `q`, `seed`, `surface` and k. The function
+        ``pw85_random_points`` of C gives the same points.
     surface : bool
         True for points on the surface, False for points in the body.
 
     Returns
     -------
     (n, 3) array
+        The points, relative to the centre of the ellipsoid.
 
     Raises
     ------
@@ -127,10 +131,10 @@ def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool =
 
 
 def even_points(q: ArrayLike, n: SupportsIndex) -> Floats:
-    """Points that cover the surface of an ellipsoid evenly, for drawing: a spiral of Fibonacci, the same area for each.
+    """Computes points that cover the surface of an ellipsoid evenly, for drawing: a Fibonacci spiral with the same area for each point.
 
-    Point i has the share (i + 1/2)/n of the area between it and one end of the longest axis, and turns about this axis by the golden
-    section of the area at this height. On a sphere this is the usual spiral.
+    The points follow a spiral around the longest axis. The surface between one end of this axis and point i has the fraction
+    (i + 1/2)/n of the whole area. For a sphere this is the usual Fibonacci spiral.
 
     Parameters
     ----------
@@ -142,6 +146,7 @@ def even_points(q: ArrayLike, n: SupportsIndex) -> Floats:
     Returns
     -------
     (n, 3) array
+        The points, relative to the centre of the ellipsoid.
 
     Raises
     ------
@@ -178,47 +183,53 @@ def even_points(q: ArrayLike, n: SupportsIndex) -> Floats:
 
 
 class EllipsoidMesh(NamedTuple):
-    """A mesh of an ellipsoid, with its centre at 0."""
+    """Result of `ellipsoid_mesh`: a triangle mesh of an ellipsoid with its centre at 0.
+
+    - `vertices` (n, 3): coordinates of the vertices;
+    - `triangles` (m, 3): indices of the vertices of each triangle, counter-clockwise as seen from outside;
+    - `deviation`: upper bound of the distance between the mesh and the surface of the ellipsoid;
+    - `volume`: volume of the mesh divided by that of the ellipsoid.
+    """
 
     vertices: Floats
     triangles: NDArray[np.int32]
-    deviation: float  # an upper bound of the distance of its surface from that of the ellipsoid
-    volume: float  # of the mesh over that of the ellipsoid
+    deviation: float
+    volume: float
 
 
 def ellipsoid_mesh(q: ArrayLike, deviation: float, fit: Fit = "volume") -> EllipsoidMesh:
-    """A closed mesh of triangles near the surface of an ellipsoid.
+    """Makes a closed triangle mesh of the surface of an ellipsoid.
 
-    The mesh is that of a sphere, an icosahedron whose edges are divided, stretched by the semi-axes. Its faces are outside the
-    sphere of some radius h, so the mesh is between two ellipsoids of the same shape, and (1 - h) times the longest semi-axis bounds
-    the distance. The mesh has as many triangles as this needs.
+    The mesh is an icosahedron with divided edges, projected to the unit sphere and stretched by the semi-axes. Its number of triangles is
+    chosen such that the deviation is not exceeded.
 
     Parameters
     ----------
     q : (6,) array_like
-        Form of the ellipsoid.
+        Form of the ellipsoid, with its centre at 0.
     deviation : float
-        The largest distance between both surfaces, in the unit of length.
-    fit : str
-        "inscribed": the vertices are on the ellipsoid, and the volume is too small. "circumscribed": the ellipsoid is inside, and touches
-        faces; the volume is too large. "volume": the volume is that of the ellipsoid, and vertices are outside it.
+        Largest allowed distance between the mesh and the surface of the ellipsoid, in the unit of length, > 0.
+    fit : {"inscribed", "circumscribed", "volume"}
+        "inscribed": the vertices are on the ellipsoid, and the volume of the mesh is too small. "circumscribed": the mesh contains the
+        ellipsoid, which touches faces, and the volume is too large. "volume": the mesh has the volume of the ellipsoid.
 
     Returns
     -------
     vertices : (n, 3) array
+        Coordinates of the vertices.
     triangles : (m, 3) array of int32
-        Counter-clockwise as seen from outside.
+        Indices of the vertices of each triangle, counter-clockwise as seen from outside.
     deviation : float
-        The bound for this mesh.
+        Upper bound of the distance between this mesh and the surface; at most the argument `deviation`.
     volume : float
-        Of the mesh, in units of the volume of the ellipsoid.
+        Volume of the mesh divided by the volume of the ellipsoid.
 
     Raises
     ------
     PW85Error
         The form is not finite or not positive definite.
     ValueError
-        The deviation is not positive, or needs more than 5 242 880 triangles.
+        `deviation` is not positive, or is so small that the mesh would need more than 5 242 880 triangles.
 
     Examples
     --------
@@ -251,25 +262,27 @@ def sphere_mesh(deviation: float, longest: float, fit: Fit) -> EllipsoidMesh:
         n = max(n + 1, int(min(4.0 * n, needed)))
         if max(n, needed / 2) > _MOST_DIVISIONS:
             raise ValueError(f"ellipsoid_mesh: a deviation of {deviation} needs more than {20 * _MOST_DIVISIONS**2} triangles, because the "
-                             f"longest semi-axis is {longest}")  # fmt: skip
+                             f"longest semi-axis is {longest:g}: use a larger deviation")  # fmt: skip
 
 
 def from_mesh(mesh: Mesh) -> tuple[Floats, Floats]:
-    """The ellipsoid that has the centre of mass and the second moments of the body in a closed mesh.
+    """Computes the ellipsoid that has the centre of mass and the second moments of the body in a closed mesh.
 
-    Its volume is that of the mesh only if the body is an ellipsoid.
+    The volume of the ellipsoid is that of the body only if the body is an ellipsoid.
 
     Parameters
     ----------
     mesh : Mesh
-        Made from vertices and triangles (`pypw85.Mesh`), or read from a file (`pypw85.Mesh.read`). It must be closed: along each edge two
-        triangles meet, whose vertices run in opposite directions. Vertices at the same place count as one. All triangles may be inside out.
+        Made from vertices and triangles (`pypw85.Mesh`), or read from a file (`pypw85.Mesh.read`). The mesh must be closed: each edge
+        belongs to two triangles, which list its vertices in opposite orders. Vertices at the same position count as one vertex. All
+        triangles may be clockwise or all counter-clockwise, as seen from outside.
 
     Returns
     -------
     center : (3,) array
+        Centre of mass of the body.
     q : (6,) array
-        Form.
+        Form of the ellipsoid.
 
     Raises
     ------

@@ -17,28 +17,28 @@ _OF_PLANE = [0, 1, 3]
 
 
 def enclosing(system: System, clusters: ArrayLike | None = None, tolerance: float = 1e-6) -> System:
-    """The smallest ellipsoid around each cluster of a system, with a proof that all its particles are inside.
+    """Computes the smallest ellipsoid around each cluster of a system. All particles of the cluster are inside, in exact arithmetic.
 
     Parameters
     ----------
     system : System
-        Of ellipsoids or ellipses. Centres are taken as they are: join the parts of a cluster that a periodic boundary divides.
+        A system of ellipsoids or ellipses. Images are ignored: if a periodic boundary divides a cluster, first join its parts.
     clusters : (n) array_like, optional
-        A name of its cluster for each particle, any numbers or strings; without it all particles are one cluster.
+        The name of the cluster of each particle, any numbers or strings. By default all particles are one cluster.
     tolerance : float
-        How much the volume (area) of each ellipsoid may be above the least one, relative.
+        Largest relative excess of the volume (area) of an ellipsoid over the smallest possible one.
 
     Returns
     -------
     System
-        One ellipsoid (ellipse) for each cluster, sorted by name, in the same cell. The names are the types.
+        One ellipsoid (ellipse) for each cluster, in the same cell, sorted by the names of the clusters. These are the types.
 
     Raises
     ------
     PW85Error
         The shape of a particle is not valid; see `enclosing_ellipsoid_of`.
     ValueError
-        There is no particle, or there is not one cluster for each.
+        There is no particle, or `clusters` does not have one name for each particle.
 
     Examples
     --------

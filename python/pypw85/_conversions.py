@@ -290,19 +290,18 @@ def from_moments(second_moments: ArrayLike) -> Floats:
 
 
 def from_inertia(inertia: ArrayLike, mass: ArrayLike = 1.0) -> Floats:
-    """Forms of the ellipsoids, or of the ellipses in the plane, that have the tensors of inertia of uniform bodies.
+    """Computes the forms of ellipsoids, or of ellipses in the plane, from the tensors of inertia of uniform bodies.
 
-    The tensor of inertia is the trace of the second moments, times the unit matrix, minus the second moments. So the largest
-    entry belongs to the shortest axis. The property ``inertia_tensor`` of scikit-image is such a tensor with the mass 1. Its rows
-    follow the axes of the image, of which the first is that of rows of pixels, y, and the last is x: for x before y, reverse both
-    dimensions, ``inertia_tensor[::-1, ::-1]``.
+    The tensor of inertia is the trace of the second moments times the unit matrix, minus the second moments. Therefore its largest
+    principal value belongs to the shortest axis. The property ``inertia_tensor`` of scikit-image is such a tensor for the mass 1, but
+    its first axis is y (the rows of pixels) and its last axis is x. Use ``inertia_tensor[::-1, ::-1]`` to get x before y.
 
     Parameters
     ----------
     inertia : (..., 3, 3) or (..., 2, 2) array_like
-        About the centre. In the plane, the entries are integrals of y², -xy and x²: not only the one about the axis across it.
+        Tensors of inertia about the centres. In the plane, the matrix has the integrals of y² and x² on the diagonal, and that of -xy.
     mass : (...) array_like
-        By which the tensors are divided.
+        Mass of each body, > 0; 1 if the tensors are per unit mass.
 
     Returns
     -------

@@ -54,16 +54,16 @@ def is_page(path: Any) -> bool:
     return str(os.fspath(path)).lower().endswith((".html", ".htm"))
 
 
-def check_picture(path: Any) -> None:
-    """Raises ValueError for a name that no picture has. Call it before the work."""
-    if is_page(path):
+def check_picture(path: Any, allows_page: bool = True) -> None:
+    """Raises ValueError if the extension is not that of a picture, or of a page if pages are allowed. Call it before the work."""
+    if allows_page and is_page(path):
         return
     from matplotlib.backend_bases import FigureCanvasBase
 
     known = FigureCanvasBase.get_supported_filetypes()
     suffix = pathlib.Path(path).suffix[1:].lower()
     if suffix not in known:
-        ends = ", ".join(f".{name}" for name in sorted([*known, "html"]))
+        ends = ", ".join(f".{name}" for name in sorted([*known, *["html"] * allows_page]))
         raise ValueError(f"{os.fspath(path)}: the name of a picture must end with one of {ends}")
 
 

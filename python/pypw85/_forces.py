@@ -18,7 +18,11 @@ from ._typing import Floats
 
 
 class ContactForces(NamedTuple):
-    """Forces and torques on the particles, and the virial, of a pair energy."""
+    """Result of `contact_forces_pairs` for N particles.
+
+    `forces` (N, 3) and `torques` (N, 3) are those on the particles, the torques about their centres. `virial` (3, 3) is Σ r12 ⊗ f12 over
+    the pairs, where f12 is the force on the second particle of the pair.
+    """
 
     forces: Floats
     torques: Floats
@@ -42,7 +46,7 @@ def contact_derivatives_pairs(
     Returns
     -------
     ContactDerivatives
-        Arrays with one row for each pair; NaN for a bad pair, which NumPy reports as ``np.errstate(invalid=...)`` says.
+        Arrays with one row for each pair; NaN for an invalid pair. NumPy then warns, or does what ``np.errstate(invalid=...)`` selects.
 
     Raises
     ------
@@ -91,8 +95,7 @@ def contact_forces_pairs(
     Returns
     -------
     ContactForces
-        A named tuple of `forces` (N, 3) and `torques` (N, 3) on the particles, and the `virial` (3, 3), Σ r12 ⊗ force on the second
-        particle of each pair. The results are bitwise equal for any number of threads.
+        The results are bitwise equal for any number of threads.
 
     Raises
     ------
@@ -128,31 +131,69 @@ def contact_forces_pairs(
 
 
 class Law(NamedTuple):
-    """The energy U(μ²) of a pair, for `law_forces_pairs` and `HardEllipsoids.set_law`."""
+    """A law: the energy U of a pair as a function of μ², for `law_forces_pairs` and `HardEllipsoids.set_law`.
+
+    Make laws by `Law.soft_repulsion`, `Law.inverse_powers` and `Law.table`. U is in any unit of energy; for simulations, in units of k_B T.
+    """
 
     kind: int
     parameters: Floats
 
     @classmethod
     def soft_repulsion(cls, energy: float, exponent: float = 2.0) -> Law:
-        """Soft repulsion: U = energy/exponent (1 - μ)**exponent for μ < 1, and U = 0 for μ >= 1. The exponent must be at least 1."""
+        """Makes a soft repulsion: U = energy/exponent (1 - μ)**exponent for μ < 1, and U = 0 for μ >= 1.
+
+        Parameters
+        ----------
+        energy : float
+            Energy scale; U at μ = 0 is energy/exponent.
+        exponent : float
+            At least 1; 2 for a harmonic repulsion, 2.5 for a Hertzian one.
+
+        Returns
+        -------
+        Law
+        """
         return cls(1, _parameters("soft_repulsion", energy=energy, exponent=exponent))
 
     @classmethod
     def inverse_powers(
         cls, repulsion: float, n: float, attraction: float, m: float, mu2_max: float = float(np.finfo(float).max)
     ) -> Law:
-        """Powers of 1/μ: U = repulsion μ**-n - attraction μ**-m - U_c for μ² < `mu2_max`, and U = 0 beyond this cutoff; n > m > 0.
+        """Makes a law of powers of 1/μ: U = repulsion μ**-n - attraction μ**-m - U_c for μ² < `mu2_max`, and U = 0 beyond this cutoff.
 
-        The constant U_c makes U continuous at the cutoff. A simulation needs a cutoff of at most 10**6; the law has no effect there if the
-        cutoff is at most 1."""
+        The constant U_c makes U continuous at the cutoff.
+
+        Parameters
+        ----------
+        repulsion, attraction : float
+            Prefactors, in the unit of energy. For a well of depth ε use 4ε and 4ε with n = 12 and m = 6.
+        n, m : float
+            Exponents, n > m > 0.
+        mu2_max : float
+            The cutoff, a value of μ². By default there is no cutoff. `HardEllipsoids.set_law` needs one above 1 and at most 10**6.
+
+        Returns
+        -------
+        Law
+        """
         return cls(2, _parameters("inverse_powers", repulsion=repulsion, n=n, attraction=attraction, m=m, mu2_max=mu2_max))
 
     @classmethod
     def table(cls, mu2_min: float, mu2_max: float, u: ArrayLike, d_u: ArrayLike) -> Law:
-        """Table of U and dU/dμ² at equally spaced μ² from `mu2_min` to `mu2_max`. Between these points U is a cubic polynomial.
+        """Makes a law from a table of U and dU/dμ² at equally spaced values of μ². Between these points U is a cubic polynomial.
 
-        U is linear below `mu2_min`, and 0 from `mu2_max` on."""
+        Parameters
+        ----------
+        mu2_min, mu2_max : float
+            First and last value of μ². Below `mu2_min`, U is linear in μ²; from `mu2_max` on, U is 0.
+        u, d_u : (n) array_like
+            U and dU/dμ² at n >= 2 values of μ².
+
+        Returns
+        -------
+        Law
+        """
         energies, slopes = reals(u, "Law.table: u"), reals(d_u, "Law.table: d_u")
         if energies.ndim != 1 or energies.shape != slopes.shape:
             raise ValueError("Law.table: u and d_u must be one-dimensional and of the same length, "
@@ -175,7 +216,10 @@ def checked_law(law: object, name: str) -> Law:
 
 
 class LawForces(NamedTuple):
-    """Energy, forces, torques and virial of a law."""
+    """Result of `law_forces_pairs` for N particles.
+
+    `energy` is the total energy of all pairs. `forces` (N, 3), `torques` (N, 3) and `virial` (3, 3) are as for `contact_forces_pairs`.
+    """
 
     energy: float
     forces: Floats
@@ -205,8 +249,7 @@ def law_forces_pairs(
     Returns
     -------
     LawForces
-        A named tuple of the `energy`, the `forces` (N, 3) and `torques` (N, 3) on the particles, and the `virial` (3, 3), as for
-        `contact_forces_pairs`. Sums to which an invalid pair contributes are NaN; NumPy then warns, or does what
+        Sums to which an invalid pair contributes are NaN; NumPy then warns, or does what
         ``np.errstate(invalid=...)`` selects. The results are bitwise equal for any number of threads.
 
     Raises

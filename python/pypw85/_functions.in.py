@@ -14,7 +14,13 @@ from ._typing import Floats, One, Row, Rows
 
 
 class ContactDerivatives(NamedTuple):
-    """Contact function and derivatives of many pairs, one array per quantity."""
+    """Result of `contact_derivatives`, one array per quantity.
+
+    - `mu2`, `lambda_` (...): the contact function μ², and the maximiser λ;
+    - `point`, `normal` (..., 3): contact point of the scaled ellipsoids, relative to the centre of ellipsoid 1, and unit normal there;
+    - `d_r12` (..., 3): derivative of μ² with respect to `r12`;
+    - `d_rot1`, `d_rot2` (..., 3): derivatives of μ² with respect to small rotations of ellipsoids 1 and 2 about their centres, per radian.
+    """
 
     mu2: Any
     lambda_: Any

@@ -42,28 +42,28 @@ class _Moments(NamedTuple):
 
 
 def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 0.0) -> System:
-    """The grains of a labelled image as ellipsoids, or as ellipses, that have the centres and second moments of the grains.
+    """Converts a labelled image to a system: each grain becomes the ellipsoid (ellipse) that has its centre and second moments.
 
-    Whether a pixel belongs to a grain is usually decided at its centre. Then the covariance of the centres is that of the grain, on
-    average, and nothing is added for the extent of pixels: the sum over a grid of points is on average the integral, wherever the
-    grid lies. Of the body that the pixels themselves make up, the variances along the axes are larger by 1/12 of a pixel squared.
+    The moments are those of the centres of the pixels. If a pixel has the label of the grain at its centre, this is right on average, and
+    no term for the size of the pixels is added. (The union of the pixels, as squares or cubes, has variances along the axes that are
+    larger by 1/12 of a pixel squared.)
 
     Parameters
     ----------
     image : (m, n) or (l, m, n) array_like of int
-        A label for each pixel or voxel, 0 for the background. It may be a memory map. It is read in blocks.
+        A label for each pixel or voxel; 0 is the background. The image is read in blocks, so it may be a memory map.
     spacing : number or one for each dimension
-        Distance of pixels.
+        Distance between two pixels, > 0; it sets the unit of length.
     origin : number or one for each dimension
-        Place of the centre of the first pixel. For images of `voxels` it is the corner of the cell and half a voxel.
+        Position of the centre of the first pixel. For images made by `voxels`, this is the corner of the cell plus half a voxel.
 
     Returns
     -------
     System
-        Its ids are the labels. Coordinates have the order of the dimensions of the image: x is along the first. Transpose images whose
-        first index is z or y, as those of scikit-image and TIFF: ``image.T``. A grain that the border of the image cuts is taken as it
-        is there. `notes` says which grains are thinner than two pixels, and which fill less than half of their ellipsoid, as labels in
-        several parts do; warnings do too.
+        Its ids are the labels. x is along the first dimension of the image, y along the second. Transpose images whose first index is y or
+        z, such as those of scikit-image and TIFF files: ``image.T``. A grain that is cut by the border of the image is not completed.
+        `notes`, also given as warnings, name the grains that are thinner than two pixels, and those that fill less than half of their
+        ellipsoid, for instance because the label consists of several parts.
 
     Raises
     ------

@@ -29,36 +29,37 @@ _ROUNDING = 1e-9
 def lattice(
     semi_axes: ArrayLike, fraction: float, number: int, kind: str = "stretched", align: ArrayLike = (0, 0, 1), type: int = 1
 ) -> System:
-    """Parallel ellipsoids on a lattice in a periodic cell, without overlaps: an ordered start of a simulation.
+    """Put parallel ellipsoids on a lattice in a periodic cell, without overlaps: an ordered start of a simulation.
 
-    Their longest or shortest axis, whichever differs more from the middle one, points along `align`.
+    The axis of each ellipsoid whose length differs most from the middle one (the long axis of rods, the short axis of plates) is parallel
+    to `align`.
 
     Parameters
     ----------
     semi_axes : (3) array_like
-        Of all ellipsoids. The system has them in another order if the axis that is aligned is not the last one.
+        Semi-axes of all ellipsoids, > 0. In the result the aligned axis is the last one.
     fraction : float
-        Of the volume that they fill.
+        Packing fraction: the volume of the ellipsoids divided by the volume of the cell, > 0.
     number : int
-        How many there are: a multiple of 4, or any number for `"sc"`.
-    kind : str
-        `"stretched"` is the face-centred cubic lattice of spheres, stretched with them along their axes until they are the ellipsoids:
-        its fraction can be as large as that of spheres, π/√18 = 0.7405. `"fcc"` and `"sc"` are the face-centred and the simple cubic
-        lattice along x, y and z, where long ellipsoids soon touch.
+        Number of ellipsoids: a multiple of 4, or any number for "sc".
+    kind : {"stretched", "fcc", "sc"}
+        "stretched": the face-centred cubic lattice of spheres, stretched such that the spheres become the ellipsoids. Its packing fraction
+        can be as large as that of spheres, π/√18 = 0.7405. "fcc" and "sc": the face-centred and the simple cubic lattice along x, y and z,
+        in which long ellipsoids touch at small packing fractions.
     align : (3) array_like
-        A direction.
+        Direction of the aligned axes, a vector of any length > 0.
     type : int
-        Of all particles.
+        Type of all particles.
 
     Returns
     -------
     System
-        Its cell is as nearly a cube as the number allows. For `"stretched"` it is turned with the ellipsoids.
+        Its cell is as close to a cube as the number allows. With "stretched", the cell is rotated together with the ellipsoids.
 
     Raises
     ------
     ValueError
-        They would overlap: the sentence says the largest fraction. Or the arguments make no lattice.
+        The ellipsoids would overlap (the message states the largest packing fraction), or an argument is not allowed.
 
     Examples
     --------

@@ -18,12 +18,14 @@ from ._words import counted
 
 
 class MeshDistance(NamedTuple):
-    """Signed distances of ellipsoids and a mesh, a row for each ellipsoid.
+    """Result of `Mesh.distance`, with one row for each of n ellipsoids.
 
-    `distance` (n) is negative if they overlap, and infinite if the mesh has no triangles. `point1` and `point2` (n, 3) are the closest or
-    the deepest points of the ellipsoids and of the mesh, relative to the centres. `normal` (n, 3) are unit vectors from the ellipsoids to
-    the mesh. `triangle` (n) are indices of the nearest triangles, the first of several; -1 if there is none. `inside` (n) is 1 for
-    a centre inside a closed mesh, 0 outside, and -1 if the mesh is not closed.
+    - `distance` (n): signed distance; negative if the ellipsoid overlaps a triangle, infinite if the mesh has no triangles;
+    - `point1`, `point2` (n, 3): the closest points (of an overlap, the deepest points) of the ellipsoid and of the mesh, relative to the
+      centre of the ellipsoid;
+    - `normal` (n, 3): unit vector from the ellipsoid to the mesh;
+    - `triangle` (n): index of the nearest triangle, the first of several; -1 if there is none;
+    - `inside` (n): 1 if the centre is inside a closed mesh, 0 if it is outside, -1 if the mesh is not closed.
     """
 
     distance: Floats
@@ -43,23 +45,21 @@ class Mesh:
     Parameters
     ----------
     vertices : (n, 3) array_like
-        Finite.
+        Coordinates of the vertices, finite.
     triangles : (m, 3) array_like of int
-        Indices of vertices, from 0.
+        Indices of the three vertices of each triangle, from 0.
 
     Attributes
     ----------
     vertices : (n, 3) array
-        Cannot be written to.
+        Read-only.
     triangles : (m, 3) array of int32
-        Cannot be written to.
+        Read-only.
 
     Raises
     ------
     PW85Error
         A vertex is not finite, or an index is out of range.
-    MemoryError
-        There is not enough memory.
 
     Examples
     --------
@@ -93,15 +93,15 @@ class Mesh:
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Mesh:
-        """The triangles of a file: STL, OBJ, PLY, OFF, and by meshio more.
+        """Reads the surface mesh of a file: STL, OBJ, PLY or OFF, and the other formats of the Python package meshio.
 
-        Polygons are divided into triangles, along diagonals that lie inside them if they are flat. A file is refused if faces of it would
-        be left out, or if nodes are placed in a way that is not read. Cells that fill space are left out.
+        Polygons are divided into triangles. Volume cells, such as tetrahedra, are left out. If some of the faces cannot be read, the whole
+        file is refused.
 
         Parameters
         ----------
         path : path
-            Its ending says the format.
+            Name of the file. Its extension determines the format.
 
         Returns
         -------
@@ -110,9 +110,9 @@ class Mesh:
         Raises
         ------
         ImportError
-            meshio is not installed.
+            The Python package meshio is not installed.
         ValueError
-            The file is broken, or has no triangles. The message begins with the name of the file.
+            The file is broken, or has no triangles, or has faces that cannot be read. The message begins with the name of the file.
         """
         try:
             import meshio  # noqa: F401
@@ -131,22 +131,22 @@ class Mesh:
         return f"<pypw85.Mesh: {counted(len(self), 'triangle')}, {counted(len(self.vertices), 'vertex', 'vertices')}>"
 
     def contact(self, centers: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats, NDArray[np.int32]]:
-        """Contact function of ellipsoids and the mesh: the least μ² of all triangles.
+        """Computes the contact function of each ellipsoid and the mesh: the smallest μ² over all triangles.
 
         Parameters
         ----------
         centers : (n, 3) array_like
-            Anywhere in space.
+            Centres of the ellipsoids.
         q : (n, 6) array_like
-            Forms.
+            Forms of the ellipsoids.
 
         Returns
         -------
         mu2 : (n,) array
-            Squares of the factors by which the ellipsoids must be scaled to touch; infinity if the mesh has no triangles; NaN for
-            a bad row.
+            Square of the factor by which the ellipsoid must be scaled about its centre to touch the mesh; infinity if the mesh has no
+            triangles; NaN for an invalid row.
         point : (n, 3) array
-            Where the scaled ellipsoids touch, relative to their centres.
+            Point at which the scaled ellipsoid touches the mesh, relative to the centre.
         triangle : (n,) array of int32
             Indices of the nearest triangles, the first of several; -1 if there is none.
         """
@@ -159,26 +159,27 @@ class Mesh:
         return mu2, point, triangle
 
     def distance(self, centers: ArrayLike, q: ArrayLike) -> MeshDistance:
-        """Signed distances of ellipsoids and the mesh: the least of those of all triangles, by `distance_triangle`.
+        """Computes the signed distance of each ellipsoid and the mesh: the smallest signed distance to a triangle (`distance_triangle`).
 
-        If an ellipsoid overlaps no triangle, it is the distance to the surface. Otherwise it is minus the largest depth of a single
-        triangle. Every translation that separates the ellipsoid from the mesh is at least as long.
+        If an ellipsoid overlaps no triangle, the result is the distance to the surface. If it overlaps triangles, the result is negative:
+        its magnitude is the largest depth in a single triangle, a lower bound of the length of a translation that separates the ellipsoid
+        from the mesh.
 
-        If the ellipsoid overlaps no triangle, the signed distance to the solid that a closed mesh bounds is the distance if the centre is
-        outside, and minus the distance if the centre is inside. A mesh is closed if each edge of a triangle is also an edge of another
+        A closed mesh also bounds a solid. For an ellipsoid that overlaps no triangle, the signed distance to the solid is `distance` if
+        `inside` is 0, and minus `distance` if `inside` is 1. A mesh is closed if each edge of a triangle is also an edge of another
         triangle, in the opposite direction.
 
         Parameters
         ----------
         centers : (n, 3) array_like
-            Anywhere in space.
+            Centres of the ellipsoids.
         q : (n, 6) array_like
-            Forms.
+            Forms of the ellipsoids.
 
         Returns
         -------
         MeshDistance
-            NaN for a bad row.
+            NaN for an invalid row.
 
         Examples
         --------
@@ -201,14 +202,14 @@ class Mesh:
         return found
 
     def overlap(self, centers: ArrayLike, q: ArrayLike) -> NDArray[np.bool_]:
-        """Decides whether ellipsoids and the mesh overlap, exactly: μ² < 1 for any triangle.
+        """Decides exactly whether each ellipsoid overlaps a triangle of the mesh.
 
         Parameters
         ----------
         centers : (n, 3) array_like
-            Anywhere in space.
+            Centres of the ellipsoids.
         q : (n, 6) array_like
-            Forms.
+            Forms of the ellipsoids.
 
         Returns
         -------
@@ -217,7 +218,7 @@ class Mesh:
         Raises
         ------
         PW85Error
-            A centre or a form is bad.
+            A centre is not finite, or a form is not finite or not positive definite. The message names the row.
         """
         arrays = _particles(centers, q)
         codes = np.empty(len(arrays[0]), np.uint8)

@@ -15,7 +15,12 @@ from ._typing import Floats
 
 
 class Events(NamedTuple):
-    """First contacts of pairs, and the next one of each particle."""
+    """Result of `first_contact_pairs` for k pairs and n particles.
+
+    - `time` (k): time of the first contact of each pair; infinity without a contact, NaN for an invalid pair;
+    - `next_time` (n): the earliest of these times over the pairs of each particle;
+    - `next_pair` (n): index of the pair to which this time belongs; -1 without a contact.
+    """
 
     time: Floats
     next_time: Floats
@@ -25,21 +30,21 @@ class Events(NamedTuple):
 def motion(
     velocity: ArrayLike = (0.0, 0.0, 0.0), angular_velocity: ArrayLike = (0.0, 0.0, 0.0), growth: ArrayLike = 0.0
 ) -> Floats:
-    """Motions of ellipsoids, in one row each.
+    """Packs the motions of ellipsoids into one array, one row for each ellipsoid.
 
     Parameters
     ----------
     velocity : (..., 3) array_like
-        Of the centres.
+        Velocity of the centre, in units of length per unit of time.
     angular_velocity : (..., 3) array_like
-        About the centres, in radians per unit of time.
+        Angular velocity about the centre, in radians per unit of time.
     growth : (...) array_like
-        At time t the semi-axes are 1 + growth·t times those at time 0.
+        Growth rate: at time t the semi-axes are 1 + growth·t times those at time 0.
 
     Returns
     -------
     (..., 7) array
-        Velocity, angular velocity and growth.
+        Velocity, angular velocity and growth, for `first_contact` and `first_contact_pairs`. The arguments broadcast.
 
     Examples
     --------
@@ -64,23 +69,21 @@ def first_contact_pairs(
     cell: ArrayLike | None = None,
     images: ArrayLike | None = None,
 ) -> Events:
-    """`first_contact` for the pairs of a neighbour list, and the next event of each particle.
+    """Computes the first contacts of the pairs of a list (see `first_contact`), and the next contact of each particle.
 
     Parameters
     ----------
     pairs, centers, q, cell, images
-        As for `contact_pairs`. A pair refers to one image throughout, that of time 0.
+        As for `contact_pairs`. Each pair refers to the same image at all times.
     motions : (n, 7) array_like
         Motions of the particles, from `motion`.
     t_max : number, optional
-        The time up to which contacts count, >= 0.
+        End of the time interval in which contacts are searched, >= 0. By default there is no end.
 
     Returns
     -------
     Events
-        A named tuple: `time` (k) of each pair, infinity where there is no contact and NaN for a bad pair, which NumPy
-        reports as ``np.errstate(invalid=...)`` says; `next_time` (n), the least time of each particle's pairs; and
-        `next_pair` (n), the index of that pair, or -1.
+        For invalid pairs NumPy warns, or does what ``np.errstate(invalid=...)`` selects.
 
     {raises_pair_list}
 

@@ -29,13 +29,17 @@ _UPPER = np.triu_indices(3)
 # If a bias is proportional to the fourth power of a width, the values for a width and for half of it differ by 15/16 of the bias.
 _BIAS_BY_DIFFERENCE = 16 / 15
 # Each bin takes 8 numbers at each of some twenty lengths of blocks.
-_MOST_BINS = 10**6
+MOST_BINS = 10**6
 # What `Observables` averages, apart from each other: directors turn slowly where nothing holds them, which says nothing of pressures.
 _BLOCKINGS = ("values", "tensors", "pairs")
 
 
 class Sample(NamedTuple):
-    """Numbers that `Observables` computes for a configuration: see there."""
+    """The numbers of one configuration, as `Observables` defines them; NaN if one is not defined.
+
+    They are `volume`, `density`, `packing_fraction`, `nematic_order`, `compressibility_chains`, `compressibility_contacts`,
+    `contacts_bias` and `energy`.
+    """
 
     volume: float
     density: float
@@ -48,30 +52,35 @@ class Sample(NamedTuple):
 
 
 class Observables:
-    """Averages over a simulation of hard ellipsoids, with errors by `Blocking`. The memory does not grow with the samples.
+    """Averages over a simulation of hard ellipsoids, with standard errors by `Blocking`.
 
-    The averages are
+    Call `add` after every few sweeps, and `estimates` at the end. The memory does not grow with the number of samples. The averages are
 
-    - ``volume`` of the cell, ``density`` (particles per volume) and ``packing_fraction``; in two dimensions, those of the area,
-    - ``nematic_order`` as by `pypw85.nematic_order`, without spheres. Without order it is not 0, but of the order of 1/√N,
-    - ``compressibility_chains``, βP/ρ from event chains,
-    - ``compressibility_contacts``, βP/ρ from the pairs that nearly touch, as by `pypw85.compressibility`, and from the virial of the law
-      of pairs, if there is one (`HardEllipsoids.law_virial`). The error is statistical,
-    - ``contacts_bias``, what the extrapolation adds to ``compressibility_contacts``. It is estimated from the extrapolation over half the
-      width. If it exceeds its error, choose a smaller width. If no pair was within the width, it has no error, nor has
-      ``compressibility_contacts`` without a law: choose a larger one,
-    - ``energy``, βU of all particles in the fields and the potential, and of all pairs by their law; 0 without them.
+    - ``volume`` of the cell, ``density`` (particles per volume) and ``packing_fraction``; in two dimensions, area replaces volume;
+    - ``nematic_order``, as computed by `pypw85.nematic_order`. Without order it is not 0, but about 1/√N;
+    - ``compressibility_chains``, βP/ρ from event chains;
+    - ``compressibility_contacts``, βP/ρ from the pairs that nearly touch, as computed by `pypw85.compressibility`, plus the virial of the
+      law of pairs, if there is one (`HardEllipsoids.law_virial`). The error is the statistical one, without the bias;
+    - ``contacts_bias``, an estimate of the bias of ``compressibility_contacts`` that comes from the extrapolation to contact. If it
+      exceeds its error, use a smaller `width`. If no pair was within the width, ``contacts_bias`` has no error, and without a law
+      ``compressibility_contacts`` has none either: use a larger `width`;
+    - ``energy``, βU of all particles in the fields and the potential, and of all pairs by their law; 0 without these.
 
-    Only ``nematic_order`` and ``energy`` are those of a system in a container too, whose cell is not periodic along its vectors.
+    If the cell is not periodic along all its vectors (a system in a container), only ``nematic_order`` and ``energy`` are defined.
 
     Parameters
     ----------
     width : float
-        Of the interval of μ that is extrapolated to contact, > 0 and at most 1.
+        Width of the interval of μ - 1 from which the pressure is extrapolated to contact, > 0 and at most 1.
     reach : float
-        The largest distance of the pair correlation; it may exceed the cell, because all images count. 0 for no pair correlation.
+        Largest distance of the pair correlation; 0 for no pair correlation. It may exceed the cell, because all images count.
     bins : int
-        Of the pair correlation, at most 10**6.
+        Number of bins of the pair correlation, at most 10**6.
+
+    Raises
+    ------
+    ValueError
+        An argument is out of range.
 
     Examples
     --------
@@ -96,7 +105,7 @@ class Observables:
 
     def __init__(self, width: float = 0.1, reach: float = 0.0, bins: int = 50) -> None:
         self._width, self._reach = real(width, "Observables: width"), real(reach, "Observables: reach")
-        self._bins = integer(bins, "Observables: bins", 1, _MOST_BINS)
+        self._bins = integer(bins, "Observables: bins", 1, MOST_BINS)
         check_width("Observables", self._width)
         if not 0 <= self._reach < np.inf:
             raise ValueError(f"Observables: reach must be >= 0 and finite, not {reach}")
@@ -105,34 +114,34 @@ class Observables:
 
     @property
     def width(self) -> float:
-        """Of the interval of μ that is extrapolated to contact."""
+        """Width of the interval of μ - 1 from which the pressure is extrapolated to contact."""
         return self._width
 
     def __len__(self) -> int:
-        """The number of samples."""
+        """Number of samples."""
         return len(self._values)
 
     def add(self, simulation: HardEllipsoids, compressibility: float | None = np.nan) -> Sample:
-        """Takes a sample of the present state.
+        """Adds a sample: the present state of the simulation.
 
         Parameters
         ----------
         simulation : HardEllipsoids
-            If the cell is not periodic along its three vectors, or its two vectors in the plane, its volume is not that of a
-            container, and pairs that nearly touch do not give the pressure: these numbers are NaN.
-        compressibility : float
-            Result of `HardEllipsoids.chain`. Without it, there is no ``compressibility_chains``.
+            If its cell is not periodic along all its vectors, volume, density, packing fraction and pressure are NaN.
+        compressibility : float, optional
+            Result of `HardEllipsoids.chain`. Without it, ``compressibility_chains`` is NaN.
 
         Returns
         -------
         Sample
+            The numbers of this configuration.
 
         Raises
         ------
         ValueError
-            There are no particles; or there is a reach, and the cell is not periodic along its vectors.
+            There are no particles; or `reach` is not 0, and the cell is not periodic along all its vectors.
         PW85Error
-            The potential of a restored simulation is not set.
+            The simulation was restored, and its potential is not set.
         """
         system = instance(simulation, HardEllipsoids, "Observables.add: simulation").system()
         of_chains = np.nan if compressibility is None else real(compressibility, "Observables.add: compressibility")
@@ -177,20 +186,22 @@ class Observables:
         return np.linspace(0, self._reach, self._bins + 1, dtype=np.float64)
 
     def estimates(self) -> dict[str, Estimate]:
-        """The averages by their names. A name is left out if it has no value. The errors are those of `Blocking.cautious`.
+        """Averages with cautious standard errors (`Blocking.cautious`), which allow for a drift.
 
         Returns
         -------
         dict of Estimate
+            By the names above. A quantity without a value is left out.
         """
         return self._named(self._values.cautious())
 
     def stationary(self) -> dict[str, Estimate]:
-        """As `estimates`, with the errors of `Blocking.estimate`, which are right for a run that does not drift.
+        """Averages with the standard errors of `Blocking.estimate`, which are valid only if the run does not drift.
 
         Returns
         -------
         dict of Estimate
+            By the names above. A quantity without a value is left out.
         """
         return self._named(self._values.estimate())
 
@@ -203,60 +214,62 @@ class Observables:
         return {name: Estimate(*row) for name, row in zip(Sample._fields, columns) if not np.isnan(row[0])}
 
     def drifts(self) -> dict[str, float]:
-        """Drifts of the averages, by `Blocking.drifts`, by their names. A name is left out if it has no error.
+        """Drifts of the averages over the run, in units of their standard errors (`Blocking.drifts`).
 
         Returns
         -------
         dict of float
+            By the names of the averages. An average without an error is left out.
         """
         return {name: drift for name, drift in zip(Sample._fields, map(float, self._values.drifts())) if not np.isnan(drift)}
 
     def drifting(self) -> dict[str, float]:
-        """Drifts that are too large for chance: 5 % of all runs that do not drift have one.
+        """Drifts that are probably not due to chance. Of all runs without a drift, 5 % have one here.
 
         Returns
         -------
         dict of float
+            As for `drifts`; empty if no average drifts.
         """
         found = self.drifts()
         largest = largest_drift(sum(drift != 0 for drift in found.values()))
         return {name: drift for name, drift in found.items() if abs(drift) > largest}
 
     def unsettled(self) -> list[str]:
-        """The names of the averages that drift, or are correlated over more than an eighth of the run.
+        """Names of the averages that drift, or whose samples are correlated over more than an eighth of the run.
 
-        A strong correlation may be a drift of another form.
-
-        For fewer than 32 samples these are all.
+        Such a correlation may be a drift of another form. With fewer than 32 samples, all names are returned.
         """
         drifting, slow = self.drifting(), dict(zip(Sample._fields, self._values.too_slow().tolist()))
         return [name for name in self.estimates() if slow[name] or name in drifting]
 
     def unresolved(self) -> list[str]:
-        """The names of the averages that have too few independent samples for an error, by `Blocking.resolved`.
+        """Names of the averages that have too few independent samples for a standard error (`Blocking.resolved`).
 
-        If one number is that slow, the others may follow it even if noise hides that: take no error of this run for more than a guess.
+        If there is one, do not trust the errors of the other averages either: these may follow the slow one, and noise may hide that.
         """
         resolved = dict(zip(Sample._fields, self._values.resolved().tolist()))
         return [name for name in self.estimates() if not resolved[name]]
 
     def director(self) -> Floats:
-        """The director of the mean of 3/2 <u uᵀ> - 1/2 over all samples, with the sign of `pypw85.director`.
+        """Director of all samples: the main eigenvector of the mean of 3/2 <u uᵀ> - 1/2, with the sign of `pypw85.director`.
 
         Returns
         -------
         (3,) array
+            NaN without samples, and for spheres.
         """
         tensor = np.empty((3, 3))
         tensor[_UPPER] = tensor.T[_UPPER] = self._tensors.estimate().value
         return main_direction(tensor) if len(self) else np.full(3, np.nan)
 
     def pair_correlation(self) -> PairCorrelation | None:
-        """The pair correlation; None without reach or samples.
+        """Pair correlation as a function of distance, averaged over the samples.
 
         Returns
         -------
         PairCorrelation or None
+            None without samples, or if `reach` is 0.
         """
         if not len(self._pairs):
             return None
@@ -276,17 +289,18 @@ class Observables:
         return PairCorrelation(self._edges(), mean, errors[0], p2, errors[1])
 
     def state(self) -> dict[str, Floats]:
-        """All numbers, for `restore`."""
+        """All numbers of this object as arrays, for `restore`."""
         settings = np.array([self._width, self._reach, self._bins])
         return {"settings": settings} | {name: getattr(self, f"_{name}").state() for name in _BLOCKINGS}
 
     @classmethod
     def restore(cls, state: dict[str, Floats]) -> Observables:
-        """Averages that continue those whose `state` is given, bit by bit.
+        """Makes an object from the result of `state`. It continues the saved averages with bitwise equal results.
 
         Parameters
         ----------
         state : dict of arrays
+            From `state`.
 
         Returns
         -------

@@ -53,7 +53,9 @@ def union_volume(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
     Parameters
     ----------
     r12 : (..., 3) array_like
+        Vectors from the centre of ellipsoid 1 to that of ellipsoid 2.
     q1, q2 : (..., 6) array_like
+        Forms of the ellipsoids.
 
     Returns
     -------
@@ -70,12 +72,14 @@ def union_volume(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def union_area_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
-    """Area of the union of two ellipses; see `union_volume`.
+    """Computes the area of the union of two ellipses; see `union_volume`.
 
     Parameters
     ----------
     r12 : (..., 2) array_like
+        Vectors from the centre of ellipse 1 to that of ellipse 2.
     q1, q2 : (..., 3) array_like
+        Forms of the ellipses.
 
     Returns
     -------
@@ -92,12 +96,14 @@ def union_area_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def jaccard(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
-    """Jaccard index of two ellipsoids: the common volume over that of the union ("intersection over union").
+    """Computes the Jaccard index of two ellipsoids: the volume of their intersection divided by the volume of their union.
 
     Parameters
     ----------
     r12 : (..., 3) array_like
+        Vectors from the centre of ellipsoid 1 to that of ellipsoid 2.
     q1, q2 : (..., 6) array_like
+        Forms of the ellipsoids.
 
     Returns
     -------
@@ -115,12 +121,14 @@ def jaccard(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def jaccard_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
-    """Jaccard index of two ellipses; see `jaccard`.
+    """Computes the Jaccard index of two ellipses; see `jaccard`.
 
     Parameters
     ----------
     r12 : (..., 2) array_like
+        Vectors from the centre of ellipse 1 to that of ellipse 2.
     q1, q2 : (..., 3) array_like
+        Forms of the ellipses.
 
     Returns
     -------
@@ -137,12 +145,14 @@ def jaccard_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def sorensen(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
-    """Sørensen index (of Dice) of two ellipsoids: twice the common volume over the sum of both volumes.
+    """Computes the Sørensen–Dice index of two ellipsoids: twice the volume of their intersection divided by the sum of their volumes.
 
     Parameters
     ----------
     r12 : (..., 3) array_like
+        Vectors from the centre of ellipsoid 1 to that of ellipsoid 2.
     q1, q2 : (..., 6) array_like
+        Forms of the ellipsoids.
 
     Returns
     -------
@@ -160,12 +170,14 @@ def sorensen(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def sorensen_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
-    """Sørensen index (of Dice) of two ellipses; see `sorensen`.
+    """Computes the Sørensen–Dice index of two ellipses; see `sorensen`.
 
     Parameters
     ----------
     r12 : (..., 2) array_like
+        Vectors from the centre of ellipse 1 to that of ellipse 2.
     q1, q2 : (..., 3) array_like
+        Forms of the ellipses.
 
     Returns
     -------
@@ -182,14 +194,14 @@ def sorensen_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def overlap_table(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: ArrayLike) -> Floats:
-    """Common volumes of each ellipsoid of one set with each of another one.
+    """Computes the volume of the intersection of each ellipsoid of one set with each ellipsoid of another set.
 
     Parameters
     ----------
-    centers1 : (n, 3) array_like
-    q1 : (n, 6) array_like
-    centers2 : (m, 3) array_like
-    q2 : (m, 6) array_like
+    centers1, q1 : (n, 3) and (n, 6) array_like
+        Centres and forms of the first set.
+    centers2, q2 : (m, 3) and (m, 6) array_like
+        Centres and forms of the second set.
 
     Returns
     -------
@@ -208,14 +220,14 @@ def overlap_table(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: A
 
 
 def overlap_table_2d(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: ArrayLike) -> Floats:
-    """Common areas of each ellipse of one set with each of another one; see `overlap_table`.
+    """Computes the area of the intersection of each ellipse of one set with each ellipse of another set; see `overlap_table`.
 
     Parameters
     ----------
-    centers1 : (n, 2) array_like
-    q1 : (n, 3) array_like
-    centers2 : (m, 2) array_like
-    q2 : (m, 3) array_like
+    centers1, q1 : (n, 2) and (n, 3) array_like
+        Centres and forms of the first set.
+    centers2, q2 : (m, 2) and (m, 3) array_like
+        Centres and forms of the second set.
 
     Returns
     -------

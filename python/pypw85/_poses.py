@@ -17,7 +17,10 @@ _TOLERANCE = 1e-6
 
 
 class PoseDistance(NamedTuple):
-    """The signed distance of an ellipsoid and a solid, in the frame of the world."""
+    """Result of `pose_distance`: the signed distance of an ellipsoid and a solid, in the world frame.
+
+    `distance`, `point1`, `point2`, `normal`, `d_pose1` and `d_pose2` are described there.
+    """
 
     distance: float
     point1: Floats
@@ -87,33 +90,32 @@ def _distance(solid: Floats | Mesh, center: Floats, q: Floats) -> tuple[Any, ...
 
 
 def pose_distance(semi_axes: ArrayLike, pose1: Any, solid: ArrayLike | Mesh, pose2: Any = None) -> PoseDistance:
-    """Signed distance of an ellipsoid and a box, a segment, a triangle or a mesh, each with a pose.
+    """Computes the signed distance of an ellipsoid and a box, a segment, a triangle or a mesh, each with a pose.
 
-    A pose takes the body frame to the frame of the world: x becomes R x + t. It is a pair of an orientation and a translation, a 4×4
+    A pose maps the body frame to the world frame: x becomes R x + t. It is a pair of an orientation and a translation, a 4×4
     matrix with the last row 0 0 0 1, or None for the identity. The orientation is a rotation matrix (3×3), a quaternion w x y z of any
     length, or a ``scipy.spatial.transform.Rotation``.
 
     Parameters
     ----------
     semi_axes : (3) array_like
-        Of the ellipsoid, along the axes of its body frame.
+        Semi-axes of the ellipsoid along the axes of its body frame, > 0.
     pose1 : pose
-        Of the ellipsoid.
+        Pose of the ellipsoid.
     solid : (3), (2, 3) or (3, 3) array_like, or Mesh
-        The half lengths of a solid box about the origin of its body frame, the ends of a segment, the vertices of a triangle, or a mesh,
-        which is a surface (`Mesh.distance`).
+        The half lengths (3) of a solid box around the origin of its body frame, the ends (2, 3) of a segment, the vertices (3, 3) of a
+        triangle, or a mesh, which is a surface (see `Mesh.distance`).
     pose2 : pose
-        Of the solid.
+        Pose of the solid. By default the identity.
 
     Returns
     -------
     PoseDistance
-        - `distance`: negative if they overlap: minus the length of the shortest translation that separates them.
-        - `point1`, `point2`: the closest or the deepest points of the ellipsoid and of the solid, in the world.
-        - `normal`: unit vector from the ellipsoid into the solid. The distance of the planes across it through the points proves that
-          nothing is nearer.
-        - `d_pose1`, `d_pose2`: derivatives of the distance with respect to either pose: three numbers for the translation, and three for
-          a small rotation vector in the world about the origin of the body, per radian.
+        - `distance`: signed distance. If the bodies overlap, it is minus the length of the shortest translation that separates them.
+        - `point1`, `point2`: the closest points (of an overlap, the deepest points) of the ellipsoid and of the solid, in the world frame.
+        - `normal`: unit vector from the ellipsoid into the solid.
+        - `d_pose1`, `d_pose2`: derivatives of the distance with respect to each pose: three numbers for the translation, and three for a
+          small rotation vector (radians, world frame) about the origin of the body.
 
     Raises
     ------

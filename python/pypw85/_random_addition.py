@@ -28,10 +28,10 @@ _ENDS = ("", "saturated", "attempts", "number")
 class RandomAddition(NamedTuple):
     """Result of `random_addition`.
 
-    `system` has the ellipsoids in the order in which they were added, with their kinds, from 1, as types. `attempts` is how many there
-    were; those at places that are full for certain are counted by their mean number, and not made. `end` says why there were no more:
-    "saturated", "number", "attempts", "seconds" or "interrupted". `free_share` is the part of all places and orientations that may
-    still be free; 0 if the packing is saturated.
+    - `system`: the ellipsoids in the order in which they were added. Their types are the numbers of their species, from 1;
+    - `attempts`: number of attempts. Attempts at positions that are known to be occupied are not made, but counted by their mean number;
+    - `end`: why the addition ended: "saturated", "number", "attempts", "seconds" or "interrupted";
+    - `free_share`: upper bound of the fraction of all positions and orientations that are still free; 0 if the packing is saturated.
     """
 
     system: System
@@ -41,24 +41,24 @@ class RandomAddition(NamedTuple):
 
     @property
     def is_saturated(self) -> bool:
-        """True if no place and no angle is left for another ellipsoid."""
+        """True if no other ellipsoid fits at any position and orientation."""
         return self.end == "saturated"
 
     @property
     def time(self) -> float:
-        """Attempts times the mean volume of an ellipsoid, over the volume of the cell."""
+        """Dimensionless time of the addition: attempts times the mean volume of an ellipsoid, divided by the volume of the cell."""
         fraction = self.system.packing_fraction
         assert fraction is not None
         return self.attempts * fraction / max(len(self.system), 1)
 
 
 class AdditionInterrupted(KeyboardInterrupt):
-    """Ctrl-C came while ellipsoids were added.
+    """Exception of `random_addition`: the user pressed Ctrl-C. It is a KeyboardInterrupt.
 
     Attributes
     ----------
     result : RandomAddition
-        The ellipsoids that were added until then.
+        The ellipsoids that had been added until then.
     """
 
     def __init__(self, result: RandomAddition) -> None:
@@ -78,29 +78,31 @@ def random_addition(
     seconds: float | None = None,
     stage: Callable[[str], object] = str,
 ) -> RandomAddition:
-    """Random sequential addition (RSA) of ellipses in the plane, or of ellipsoids, in a periodic cell.
+    """Make a packing by random sequential addition (RSA) of ellipses in the plane, or of ellipsoids, in a periodic cell.
 
-    Kind, place and orientation are drawn at random, uniformly, again and again. An ellipsoid stays where it overlaps none of those that are
-    there, by the exact test. A list of voxels, small boxes of places and of angles, holds all that may be free. One is left out once a
-    single particle overlaps all that could be put there; the others are divided. Without any voxel the packing is saturated. Ellipses,
-    discs and balls come to this end. For other ellipsoids voxels hold places only, and the end is one of the limits.
+    Each attempt draws a species, a position and an orientation, all uniform. The particle is added if it overlaps no earlier particle,
+    by the exact test; it then never moves. The packing is saturated if no other particle fits. For ellipses, discs and balls the function
+    proves that: it keeps a list of small boxes in the space of positions and angles, deletes a box if an existing particle would overlap
+    every particle in it, and divides the others, until no box is left. For other ellipsoids there is no such proof, and a limit must end
+    the addition.
 
     Parameters
     ----------
     semi_axes : (k, 2) or (k, 3) array_like
-        One row for each kind: two numbers for ellipses, three for ellipsoids. All kinds are tried equally often.
+        One row for each species: two semi-axes of an ellipse, or three of an ellipsoid. All species are tried equally often.
     cell : (2, 2) or (3, 3) array_like
-        Its rows are the vectors of the cell, in which opposite sides are as far apart as the longest diameter, at least.
+        Rows are the cell vectors. Opposite sides must be at least the longest diameter of a particle apart.
     number : int, optional
-        Of particles at which to end.
+        End at this number of particles.
     seed : int
-        The same one gives the same packing, on any number of threads; from 0 to 2**64 - 1.
+        Seed of the random numbers, from 0 to 2**64 - 1. The same seed gives the same packing, with any number of threads.
     attempts : float, optional
-        Number of them at which to end.
+        End after this number of attempts.
     seconds : float, optional
-        At which to end. How far that gets depends on the machine.
+        End after this time. The result then depends on the speed of the machine.
     stage : callable
-        Is told now and then how far the addition is. If it raises KeyboardInterrupt, that ends the addition as Ctrl-C does.
+        Called from time to time with a string that describes the progress. If it raises KeyboardInterrupt, the addition ends as after
+        Ctrl-C.
 
     Returns
     -------
@@ -109,9 +111,9 @@ def random_addition(
     Raises
     ------
     ValueError
-        Semi-axes, cell, seed or limits make no sense; or there is no limit for ellipsoids other than balls.
+        `semi_axes`, `cell`, `seed` or a limit is not allowed; or there is no limit, and the particles are ellipsoids other than balls.
     AdditionInterrupted
-        Ctrl-C. It is a KeyboardInterrupt.
+        The user pressed Ctrl-C. The exception has the particles that were added until then.
 
     Examples
     --------

@@ -46,14 +46,14 @@ _FIELD = np.dtype(
 
 
 class TrialCounts(NamedTuple):
-    """Numbers of trial moves of a type, and of accepted ones."""
+    """Numbers of trial moves of one type since the last `HardEllipsoids.tune`: all `trials`, and those that were `accepted`."""
 
     trials: int
     accepted: int
 
 
 class TrialSteps(NamedTuple):
-    """The largest changes of a trial: see `HardEllipsoids.set_steps`."""
+    """Step sizes: the largest changes of a trial move. `translation`, `rotation` and `volume` are as for `HardEllipsoids.set_steps`."""
 
     translation: float
     rotation: float
@@ -61,7 +61,12 @@ class TrialSteps(NamedTuple):
 
 
 class NearImages(NamedTuple):
-    """Images of particles near one particle, of `HardEllipsoids.neighbors`."""
+    """Result of `HardEllipsoids.neighbors`: the images of particles near a given particle.
+
+    - `particles` (n): indices of the particles;
+    - `images` (n, 3): multiples of the cell vectors to add to their centres;
+    - `separations` (n, 3): vectors from the centre of the given particle to the centres of the images.
+    """
 
     particles: Any
     images: Any
@@ -69,7 +74,10 @@ class NearImages(NamedTuple):
 
 
 class InsertionCounts(NamedTuple):
-    """Numbers of trials of `HardEllipsoids.insertion_moves`, and how many of them were accepted."""
+    """Result of `HardEllipsoids.insertion_moves`.
+
+    `insertions` and `removals` are the numbers of trials, and `inserted` and `removed` those of the accepted ones.
+    """
 
     insertions: int
     inserted: int
@@ -81,30 +89,29 @@ class HardEllipsoids:
     """A Monte Carlo simulation of hard ellipsoids, which never overlap.
 
     The exact overlap test decides each trial move. The same calls give bitwise equal trajectories, with any number of threads. Calls from
-    several Python threads run one after the other.
+    several Python threads run one after the other. Every method that needs memory raises MemoryError if there is not enough.
 
-    A two-dimensional system gives a simulation of hard ellipses in a plane. Rotations are about z, areas replace volumes, and points and
-    directions may be given as (x, y).
+    A two-dimensional `System` gives a simulation of hard ellipses in a plane. Rotations are then about z, areas replace volumes, and
+    points and directions may be given as (x, y).
 
     Parameters
     ----------
     system : System
-        Without overlaps. Centres, semi-axes, quaternions and cell are copied. In two dimensions all centres have the same z, the third
-        semi-axis is along z, quaternions are (w, 0, 0, z), and the third vector of the cell is along z and not periodic.
+        The start, without overlaps; it is copied. Without a cell, or along cell vectors that are not periodic, walls or fields must hold
+        the particles.
     seed : int
-        Selects the random numbers; from 0 to 2**64 - 1.
+        Seed of the random numbers, from 0 to 2**64 - 1.
 
     Raises
     ------
     PW85Error
-        Ellipsoids overlap, or a number is bad. The text says which.
-    MemoryError
-        There is not enough memory.
+        Ellipsoids overlap, or a number is not allowed. The message names the particles.
 
     Notes
     -----
-    The arrays ``centers``, ``semi_axes``, ``quaternions``, ``q`` and ``cell`` are views of the present state, and cannot be written to.
-    A copy of the object (`copy.copy`), also one by `pickle`, is a simulation of its own that continues bit by bit.
+    The arrays ``centers``, ``semi_axes``, ``quaternions``, ``q`` and ``cell`` are read-only views of the present state: they change with
+    each sweep. Copy an array to keep it. Copies of the object (by `copy.copy` or `pickle`) are independent simulations that continue with
+    bitwise equal results.
 
     Examples
     --------
@@ -148,13 +155,14 @@ class HardEllipsoids:
 
     @classmethod
     def restore(cls, state: bytes) -> HardEllipsoids:
-        """Makes a simulation from the bytes of `save`. It continues the saved simulation with bitwise equal results. If that had a
-        potential, set it again.
+        """Makes a simulation from the result of `save`. It continues the saved simulation with bitwise equal results.
+
+        If the saved simulation had a potential, call `set_potential` before anything else.
 
         Parameters
         ----------
         state : bytes
-            Written on any machine, by this version of the library or an earlier one.
+            From `save`, on any machine, by this version of the library or by an earlier one since 3.1.
 
         Returns
         -------
@@ -164,8 +172,6 @@ class HardEllipsoids:
         ------
         PW85Error
             The bytes are not such a state.
-        MemoryError
-            There is not enough memory.
         """
         simulation = cls.__new__(cls)
         if not isinstance(state, bytes):
@@ -196,19 +202,19 @@ class HardEllipsoids:
         return f"<pypw85.HardEllipsoids: {len(self)} {'particles' if self.dimensions == 3 else 'ellipses'}>"
 
     def set_walls(self, walls: Iterable[Wall] = ()) -> None:
-        """Sets the hard walls, and removes the walls that were set before. A particle may touch a wall.
+        """Sets the hard walls, and removes all walls that were set before. A particle may touch a wall.
 
-        The periodic vectors of the cell must be parallel to the walls. With walls, event chains and compression are not possible.
+        The periodic vectors of the cell must be parallel to the walls. With walls, `chain` and `compress` are not possible.
 
         Parameters
         ----------
         walls : iterable of Wall
-            From `Wall.plane`, `Wall.sphere`, `Wall.cylinder` and `Wall.box`.
+            From `Wall.plane`, `Wall.sphere`, `Wall.cylinder` and `Wall.box`. Without an argument, all walls are removed.
 
         Raises
         ------
         PW85Error
-            A wall cuts a particle, or a simulation of this cell and these dimensions cannot have it. Nothing changes then.
+            A wall cuts a particle, or the cell or the number of dimensions does not allow a wall. The walls are not changed.
 
         Examples
         --------
@@ -234,21 +240,21 @@ class HardEllipsoids:
             self._fail(status, "set_walls", where + (last_cause() if is_cut else last_cause(rows, walls=given)))
 
     def set_mesh(self, mesh: Mesh | None) -> None:
-        """Sets the hard mesh, and removes the mesh that was set before. No particle may overlap a triangle.
+        """Sets a hard mesh of triangles, and removes the mesh that was set before. No particle may overlap a triangle.
 
         Particles may be on both sides of the surface. In sweeps they stay on their side, because translations are limited to less than
-        twice the shortest semi-axis of a particle. In a periodic cell the mesh is also periodic. With a mesh, volume moves, event chains
-        and compression are not possible.
+        twice the shortest semi-axis of a particle. In a periodic cell the mesh is also periodic. With a mesh, `volume_moves`, `chain` and
+        `compress` are not possible.
 
         Parameters
         ----------
         mesh : Mesh or None
-            Its triangles are copied.
+            The triangles, which are copied; None for no mesh.
 
         Raises
         ------
         PW85Error
-            The mesh meets a particle, is wider than 16 periods of the cell, or the simulation has two dimensions. Nothing changes then.
+            The mesh cuts a particle, is wider than 16 periods of the cell, or the simulation has two dimensions. The mesh is not changed.
 
         Examples
         --------
@@ -271,20 +277,20 @@ class HardEllipsoids:
             self._fail(status, "set_mesh", f"the mesh cuts particle {particle}, next to triangle {triangle}" if particle >= 0 else cause)
 
     def set_fields(self, fields: Iterable[Field] = ()) -> None:
-        """Sets the fields, and removes the fields that were set before. The probability density of a configuration is then proportional to
-        e^(-βU).
+        """Sets the external fields, and removes all fields that were set before.
 
-        A field must be the same in all images of a periodic cell. With fields, event chains and compression are not possible.
+        The probability density of a configuration is then proportional to exp(-βU), where βU is the sum of the energies of all particles
+        in all fields. A field must be the same in all images of a periodic cell. With fields, `chain` and `compress` are not possible.
 
         Parameters
         ----------
         fields : iterable of Field
-            From `Field.linear`, `Field.weight`, `Field.harmonic` and `Field.aligning`. Their energies add.
+            From `Field.linear`, `Field.weight`, `Field.harmonic` and `Field.aligning`. Without an argument, all fields are removed.
 
         Raises
         ------
         PW85Error
-            A simulation of this cell cannot have a field, or the energy of a particle is not finite. Nothing changes then.
+            A field is not the same in all images of the cell, or the energy of a particle is not finite. The fields are not changed.
 
         Examples
         --------
@@ -309,21 +315,21 @@ class HardEllipsoids:
         self._check(status, "set_fields", rows, fields=given)
 
     def set_law(self, law: Law | None) -> None:
-        """Sets or removes a pair potential in addition to the hard cores: a law that gives βU as a function of μ².
+        """Sets or removes a law: a pair potential outside the hard cores, with βU as a function of μ².
 
-        The probability density of a configuration is then proportional to e^(-βU), where U includes all images. With a law, event chains
-        are not possible; `try_placement`, `try_insertion` and `compress` test only for overlaps.
+        The probability density of a configuration is then proportional to exp(-βU), where U is the sum over all pairs, including images.
+        With a law, `chain` is not possible; `try_placement`, `try_insertion` and `compress` test only for overlaps.
 
         Parameters
         ----------
         law : Law or None
-            From `Law.inverse_powers`, with a cutoff, or `Law.table`.
+            From `Law.inverse_powers`, with a cutoff, or `Law.table`; its energies are in units of k_B T. None for no law.
 
         Raises
         ------
         PW85Error
-            The law is a soft repulsion, which ends where the hard cores begin; its parameters are not allowed; the energy of a pair could
-            exceed 2**20; or the cutoff is not above 1 or above 10**6 (μ = 1000). Nothing changes then.
+            The law is a soft repulsion, which is 0 outside the hard cores; its parameters are not allowed; βU of a pair could exceed
+            2**20; or the cutoff, a value of μ², is 1 or less, or above 10**6. The law is not changed.
 
         Examples
         --------
@@ -343,29 +349,31 @@ class HardEllipsoids:
         self._check(status, "set_law", num_parameters=len(parameters), parameters=parameters)
 
     def set_potential(self, potential: Potential | int | None, context: int = 0) -> None:
-        """Sets or removes a potential in addition to the fields.
+        """Sets or removes an external potential that you program yourself, in addition to the fields.
 
-        A Python function is slow, and only one thread calls it at a time. A compiled function, given by its address, is as fast as in C.
+        A Python function is slow, and only one thread calls it at a time. A compiled function (by Numba or in C), given by its address,
+        has no such cost.
 
         Parameters
         ----------
         potential : callable, int or None
-            ``potential(particle, center, quaternion, semi_axes)`` returns βU of a particle, from its index and arrays that it must not
-            keep; or the address of a function of C, of the type ``pw85_potential``. Infinity forbids a position. It must not call methods
-            of this simulation, which would wait for each other.
+            ``potential(particle, center, quaternion, semi_axes)`` returns βU of a particle. Its arguments are the index of the particle
+            and three arrays, which are valid only during the call. A result of infinity forbids the position. The function must not call
+            methods of this simulation: that would be a deadlock. Instead of a Python function, pass the address of a C function of the
+            type ``pw85_potential``, or None for no potential.
         context : int
-            The first argument of a function of C.
+            First argument of the C function; a Python function does not receive it.
 
         Raises
         ------
         PW85Error
-            The energy of a particle is not finite; or the simulation was restored, and had another potential. To set a different
-            potential, first set none.
+            The energy of a particle is not finite; or the simulation was restored, and the saved one had another potential. To replace
+            the potential of a restored simulation, first set None.
 
         Notes
         -----
-        If the potential returns NaN or raises an exception, the method that called it raises, and the simulation is in the state before
-        the last sweep or trial. A simulation that is restored needs its potential again; a copy has it.
+        If the potential returns NaN or raises an exception, the method that called it raises an exception, too, and the simulation
+        returns to the state before the last sweep or trial. A restored simulation needs its potential again; a copy keeps it.
 
         Examples
         --------
@@ -392,7 +400,7 @@ class HardEllipsoids:
             self._fail(status, "set_potential", last_cause())
 
     def energy(self) -> float:
-        """The energy of all particles in the fields and the potential, and of all pairs by the law, in units of k_B T; 0 without them.
+        """Computes the energy βU of all particles in the fields and the potential, and of all pairs by the law; 0 without these.
 
         Returns
         -------
@@ -409,9 +417,10 @@ class HardEllipsoids:
         return energy
 
     def law_virial(self) -> float:
-        """The virial of the pair potential, W = -2 Σ μ² dβU/dμ²; 0 without a law.
+        """Computes the virial of the law, W = -2 Σ μ² dβU/dμ² over all pairs; 0 without a law.
 
-        In d dimensions βP/ρ = 1 + (n'(0) + W)/(d N), where n(ε) is the mean number of pairs with μ < 1 + ε. `Observables` averages it.
+        In d dimensions, βP/ρ = 1 + (n'(0) + <W>)/(d N), where n(ε) is the mean number of pairs with μ < 1 + ε. `Observables` computes this
+        average.
 
         Returns
         -------
@@ -434,52 +443,64 @@ class HardEllipsoids:
         return virial
 
     def sweep(self, number: SupportsIndex = 1) -> None:
-        """Makes sweeps. A sweep has as many trials as there are particles. Ctrl-C takes effect after the current sweep.
+        """Makes sweeps. A sweep has as many trial moves as there are particles. Ctrl-C takes effect after the current sweep.
 
         Parameters
         ----------
         number : int
-            How many.
+            Number of sweeps, at least 0.
 
         Raises
         ------
         MemoryError
-            There is not enough memory. The last sweep is not complete.
+            There is not enough memory. The last sweep is then incomplete. Shorter translations (`set_steps`) need less memory.
         """
         self._repeat("sweep", number)
 
     def chain(self, number: SupportsIndex, length: float | None = None, direction: ArrayLike | None = None) -> float:
-        """Makes event chains, which translate many particles without rejections, and gives the pressure.
+        """Makes event chains, and returns the pressure that follows from them.
 
-        Chains do not rotate particles: alternate them with `sweep`. Ctrl-C takes effect after all chains of a call.
+        In an event chain a particle moves along a line until it touches another particle, which then moves along the same direction, and
+        so on, without rejections (Michel, Kapfer and Krauth, J. Chem. Phys. 140, 054116, 2014). Chains do not rotate particles: alternate
+        them with `sweep`. Ctrl-C takes effect after all chains of a call.
 
         Parameters
         ----------
         number : int
-            How many chains.
+            Number of chains, at least 0.
         length : float, optional
-            Of each chain, > 0. A chain is long if its length is the mean way between contacts times the number of particles. Without
-            it, the cube root of the present volume of the cell, which is periodic along its three vectors; in two dimensions the
-            square root of the area of its two vectors.
+            Length of each chain, the sum of its displacements, > 0. By default the cube root of the volume of the cell, in two
+            dimensions the square root of its area. A chain visits about all particles if its length is the mean free path times the
+            number of particles.
         direction : (3,) array_like, optional
-            Of any length > 0. Without it, each chain has a random direction.
+            Direction of all chains, a vector of any length > 0. By default each chain has a random direction.
 
         Returns
         -------
         float
-            βP/ρ along the directions, by these chains. NaN without chains or particles, and where a particle could touch its own
-            image if it turned: where the shortest vector of the lattice is not longer than twice the longest semi-axis. Such contacts
-            are a part of the pressure that chains do not find (`Observables` has the pressure from contacts).
+            βP/ρ along the directions, averaged over these chains. NaN without chains or particles. Also NaN if a particle could touch
+            its own image, that is, if the shortest lattice vector is not longer than twice the longest semi-axis: chains do not see such
+            contacts, which contribute to the pressure. In that case use the pressure from contacts (`Observables`).
 
         Raises
         ------
         PW85Error
-            The length is not positive, the direction is zero or out of the plane, there are walls, a mesh, fields or a potential, or
+            `length` is not positive; `direction` is zero or out of the plane; there are walls, a mesh, fields, a potential or a law; or
             particles block each other within rounding errors.
         ValueError
-            The length is missing, and the cell has no volume.
+            `length` is missing, and the cell is not periodic along all its vectors.
         MemoryError
-            There is not enough memory. The last chain is not complete.
+            There is not enough memory. The last chain is then incomplete.
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> start = pypw85.pack(np.tile([0.5, 0.5, 1], (50, 1)), 0.3, seed=1)
+        >>> simulation = pypw85.HardEllipsoids(start, seed=1)
+        >>> simulation.tune(50)
+        >>> simulation.sweep(50)
+        >>> bool(3 < simulation.chain(20) < 6)  # βP/ρ
+        True
         """
         times = _number("chain", number)
         along = None if direction is None else self._point("chain", "direction", direction, 0.0)
@@ -491,24 +512,40 @@ class HardEllipsoids:
         return compressibility
 
     def volume_moves(self, number: SupportsIndex, pressure: float, change: Change = "isotropic") -> None:
-        """Makes volume moves: trial changes of the cell and of all centres with it, at constant pressure βP.
+        """Makes volume moves: trial changes of the cell, and of all centres with it, at constant pressure.
+
+        Alternate them with `sweep` for the ensemble of constant pressure, for instance one volume move after each sweep.
 
         Parameters
         ----------
         number : int
-            How many trials.
+            Number of trials, at least 0.
         pressure : float
-            βP > 0, in the inverse cube of the unit of length, in two dimensions in its inverse square. For "aspect" any number.
+            Reduced pressure βP = P/(k_B T) > 0, in the inverse cube of the unit of length (in two dimensions, the inverse square). If
+            `change` is "aspect", any finite number: it has no effect.
         change : {"isotropic", "axis", "triclinic", "aspect"}
-            Scales all axes alike; scales one of them; scales one of them or shears the cell; or scales one of them and the others such
-            that the volume stays as it is.
+            "isotropic" scales all cell vectors by the same factor; "axis" scales the cell along one of its vectors; "triclinic" does this
+            or shears the cell; "aspect" scales along one vector and along the others such that the volume is constant.
 
         Raises
         ------
         PW85Error
-            The pressure is not positive, or the cell is not periodic along its three vectors, in two dimensions its first two.
+            `pressure` is not positive; the cell is not periodic along its three vectors (in two dimensions, its first two); or there is a
+            mesh.
         MemoryError
             There is not enough memory. The configuration is that before the trial.
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> start = pypw85.pack(np.tile([0.5, 0.5, 1], (50, 1)), 0.2, seed=1)
+        >>> simulation = pypw85.HardEllipsoids(start)
+        >>> before = simulation.system().packing_fraction
+        >>> for _ in range(200):
+        ...     simulation.sweep()
+        ...     simulation.volume_moves(1, pressure=10)
+        >>> simulation.system().packing_fraction > before
+        True
         """
         (pressure,) = _reals("volume_moves", pressure=pressure)
         self._repeat("volume_moves", number, pressure=pressure, change=_change("volume_moves", change))
@@ -516,51 +553,47 @@ class HardEllipsoids:
     def tune(
         self, number: SupportsIndex, acceptance: float = 0.4, pressure: float = 0.0, change: Change = "isotropic"
     ) -> None:
-        """Makes sweeps to equilibrate, and adjusts the step sizes after each sweep towards an acceptance. All counts are then set to zero.
+        """Makes sweeps to equilibrate, and adjusts the step sizes after each of them. At the end all `counts` are set to zero.
 
-        Detailed balance does not hold while the step sizes change. Translations become at most half as long as the longest semi-axis,
-        unless particles are far apart.
+        Detailed balance does not hold while the step sizes change: do not average over these sweeps. Translations become at most half as
+        long as the longest semi-axis, unless the particles are far apart.
 
         Parameters
         ----------
         number : int
-            How many sweeps.
+            Number of sweeps, at least 0.
         acceptance : float
-            The target of the ratio of accepted trials, > 0 and at most 1.
+            The fraction of trials that is to be accepted, > 0 and at most 1.
         pressure : float
-            βP for one trial of the volume after each sweep; 0 for none.
+            βP for one volume move after each sweep, as for `volume_moves`; 0 for no volume moves.
         change : {"isotropic", "axis", "triclinic", "aspect"}
-            As for `volume_moves`. With "aspect" there is a trial after each sweep without a pressure, too.
+            As for `volume_moves`. With "aspect" there is a trial after each sweep even if the pressure is 0.
 
         Raises
         ------
         PW85Error
-            Acceptance or pressure are out of range, or there is a pressure and the cell has no volume as for `volume_moves`.
-        MemoryError
-            There is not enough memory.
+            `acceptance` or `pressure` is out of range; or there is a pressure, and the cell is not periodic as `volume_moves` needs it.
         """
         acceptance, pressure = _reals("tune", acceptance=acceptance, pressure=pressure)
         self._repeat("tune", number, acceptance=acceptance, pressure=pressure, change=_change("tune", change))
 
     def neighbors(self, particle: SupportsIndex) -> NearImages:
-        """The images of particles whose bounding boxes intersect that of one particle, ordered by their indices, then by their images.
+        """Lists the images of particles whose bounding boxes intersect that of a given particle.
 
         Parameters
         ----------
         particle : int
+            Index of the particle, from 0.
 
         Returns
         -------
         NearImages
-            `particles` are the indices, `images`, (n, 3), the multiples of the vectors of the cell to be added to the centres, and
-            `separations`, (n, 3), from the centre of the given particle to those of the images.
+            Sorted by the indices of the particles, then by their images.
 
         Raises
         ------
         IndexError
             There is no such particle.
-        MemoryError
-            There is not enough memory.
         """
         index, found = self._index("neighbors", particle), NearImages(None, None, None)
         with self._lock:
@@ -579,30 +612,30 @@ class HardEllipsoids:
         quaternion: ArrayLike | None = None,
         take: bool = False,
     ) -> bool:
-        """Decides exactly whether a particle would be free of overlaps at another position, and moves it there if `take` is true.
+        """Decides exactly whether a particle overlaps nothing at another position. If `take` is true, it also moves the particle there.
 
         Parameters
         ----------
         particle : int
+            Index of the particle, from 0.
         center : (3,) array_like, optional
-            New centre; without it, the present one.
+            New centre. By default the present one.
         quaternion : (4,) array_like, optional
-            New orientation (w, x, y, z), of any length > 0; without it, the present one.
+            New orientation (w, x, y, z), of any length > 0. By default the present one.
         take : bool
-            True to move the particle there if the position is free.
+            True to move the particle there if it overlaps nothing.
 
         Returns
         -------
         bool
+            True if the particle overlaps nothing at the new position.
 
         Raises
         ------
         IndexError
             There is no such particle.
         PW85Error
-            A number is not finite, the quaternion is zero, or the centre is too far away; or, in two dimensions, out of the plane.
-        MemoryError
-            There is not enough memory.
+            A number is not finite; the quaternion is zero; or the centre is too far away or, in two dimensions, out of the plane.
         """
         index = self._index("try_placement", particle)
         place = None if center is None else self._point("try_placement", "center", center, float(self.centers[index, 2]))
@@ -614,30 +647,31 @@ class HardEllipsoids:
         return bool(is_free)
 
     def try_insertion(self, center: ArrayLike, quaternion: ArrayLike, semi_axes: ArrayLike, take: bool = False) -> bool:
-        """Decides exactly whether a new particle would be free of overlaps, and inserts it as the last one if `take` is true.
+        """Decides exactly whether a new particle would overlap nothing. If `take` is true, it also inserts the particle.
 
-        Arrays of the simulation that were taken before do not show the new particles.
+        The new particle gets the last index. Arrays such as ``centers`` that were obtained before do not contain it.
 
         Parameters
         ----------
         center : (3,) array_like
+            Its centre.
         quaternion : (4,) array_like
-            (w, x, y, z), of any length > 0.
+            Its orientation (w, x, y, z), of any length > 0.
         semi_axes : (3,) array_like
+            Its semi-axes, > 0.
         take : bool
-            True to insert the particle if the position is free.
+            True to insert the particle if it overlaps nothing.
 
         Returns
         -------
         bool
+            True if the new particle overlaps nothing.
 
         Raises
         ------
         PW85Error
-            A number is not allowed, a semi-axis is longer than 32 times the shortest vector of the lattice, or the centre is too far
-            away; or, in two dimensions, out of the plane.
-        MemoryError
-            There is not enough memory.
+            A number is not allowed; a semi-axis is longer than 32 times the shortest lattice vector; or the centre is too far away or, in
+            two dimensions, out of the plane.
         """
         height = float(self.centers[0, 2]) if len(self) else 0.0
         place = self._point("try_insertion", "center", center, height)
@@ -651,11 +685,14 @@ class HardEllipsoids:
         return bool(is_free)
 
     def remove(self, particle: SupportsIndex) -> None:
-        """Removes a particle. The last particle takes over its index. Arrays that were obtained before show the old particles.
+        """Removes a particle. The last particle gets its index.
+
+        Arrays such as ``centers`` that were obtained before show the old particles.
 
         Parameters
         ----------
         particle : int
+            Index of the particle, from 0.
 
         Raises
         ------
@@ -671,30 +708,28 @@ class HardEllipsoids:
         self._check(status, "remove")
 
     def insertion_weight(self, number: SupportsIndex, semi_axes: ArrayLike) -> float:
-        """The mean of e^(-βU) of a particle that is inserted at random positions (Widom's test particle). A position with an overlap
-        counts as 0.
+        """Computes the mean of exp(-βU) of a test particle at random positions and orientations (Widom's method).
 
-        The position is in the cell, a corner of which is at the origin, also along vectors that are not periodic. With the mean w over
-        many states, βμ = ln ρ - ln w for another particle of this species, whose density is ρ.
+        An overlap counts as 0. The test particle is not inserted. Positions are uniform in the cell, which begins at the origin, also along
+        vectors that are not periodic. If w is the mean of the results over many states, the chemical potential of this species at the
+        density ρ is βμ = ln ρ - ln w, up to the constant ln Λ³.
 
         Parameters
         ----------
         number : int
-            How many insertions.
+            Number of test insertions, at least 0.
         semi_axes : (3,) array_like
-            Of the particle.
+            Semi-axes of the test particle, > 0.
 
         Returns
         -------
         float
-            Without fields the part of the places that are free. NaN without insertions.
+            Without energies, the fraction of the insertions without an overlap. NaN without insertions.
 
         Raises
         ------
         PW85Error
-            There is no cell, or its vectors are not independent; or a semi-axis is not allowed.
-        MemoryError
-            There is not enough memory.
+            There is no cell, or its vectors are linearly dependent; or a semi-axis is not allowed.
         """
         times, axes = _number("insertion_weight", number), _vector("insertion_weight", "semi_axes", semi_axes, 3)
         with self._lock:
@@ -703,19 +738,21 @@ class HardEllipsoids:
         return weight
 
     def insertion_moves(self, number: SupportsIndex, semi_axes: ArrayLike, activities: ArrayLike) -> InsertionCounts:
-        """Makes trial insertions and removals of particles at constant activities: with `sweep`, they sample the grand canonical ensemble.
+        """Makes trial insertions and removals of particles at constant activities. Together with `sweep`, they sample the grand canonical
+        ensemble.
 
-        A particle is of the species that has its semi-axes. Particles of other species stay, and those that are out of the cell along
-        vectors that are not periodic. Arrays of the simulation that were taken before do not show the new particles.
+        The semi-axes define the species of a particle. Particles of other species are never removed, nor are particles that are outside
+        the cell along vectors that are not periodic. Arrays such as ``centers`` that were obtained before show the old particles.
 
         Parameters
         ----------
         number : int
-            How many trials. Each one is an insertion or a removal of a particle of one of the species, all equally probable.
+            Number of trials, at least 0. Each trial is an insertion or a removal, with equal probability, of a particle of one of the
+            species, all equally probable.
         semi_axes : (3,) or (species, 3) array_like
-            Of each species.
+            Semi-axes of each species, > 0.
         activities : float or (species,) array_like
-            z = e^(βμ)/Λ³ of each species, > 0: the density of an ideal gas.
+            Activity z = exp(βμ)/Λ³ of each species, > 0: the density of an ideal gas with the same chemical potential.
 
         Returns
         -------
@@ -724,9 +761,8 @@ class HardEllipsoids:
         Raises
         ------
         PW85Error
-            There is no cell, or its vectors are not independent; or a semi-axis or an activity is not allowed; or two kinds are the same.
-        MemoryError
-            There is not enough memory.
+            There is no cell, or its vectors are linearly dependent; a semi-axis or an activity is not allowed; or two species are the
+            same.
 
         Examples
         --------
@@ -751,7 +787,9 @@ class HardEllipsoids:
         return InsertionCounts(*counts)
 
     def compress(self, take: bool = False) -> float:
-        """Finds how far cell and centres can be compressed before particles touch, and compresses them if `take` is true.
+        """Finds the smallest factor by which cell and centres can be multiplied without overlaps. If `take` is true, it also does so.
+
+        Shapes and orientations do not change.
 
         Parameters
         ----------
@@ -761,15 +799,13 @@ class HardEllipsoids:
         Returns
         -------
         float
-            The factor of all lengths, at most 1. The exact test finds no overlap after a compression by it. It is 0, and nothing is
-            changed, if there are no pairs of particles or images.
+            The factor, > 0 and at most 1. The exact test finds no overlap at this factor. If there are no pairs of particles or images, the
+            result is 0, and nothing is changed.
 
         Raises
         ------
         PW85Error
-            Particles are too far apart for a list of neighbours, or there are walls, a mesh, fields or a potential.
-        MemoryError
-            There is not enough memory.
+            The particles are too far apart for a neighbour list; or there are walls, a mesh, fields or a potential.
         """
         with self._lock:
             status, factor = _core.hard_ellipsoids_compress(self._simulation, truth(take, "HardEllipsoids.compress: take"))
@@ -778,14 +814,12 @@ class HardEllipsoids:
         return factor
 
     def check(self) -> None:
-        """Searches all particles for overlaps. The search makes a new neighbour list.
+        """Tests all particles for overlaps, independently of the neighbour list of the simulation. It returns nothing if there are none.
 
         Raises
         ------
         PW85Error
-            Particles overlap, which never happens unless the program has an error.
-        MemoryError
-            There is not enough memory.
+            Particles overlap. This never happens unless the library has an error.
         """
         with self._lock:
             status, pair = _core.hard_ellipsoids_check(self._simulation)
@@ -794,8 +828,23 @@ class HardEllipsoids:
                   name_pairs([pair]) if pair[0] >= 0 else "")  # fmt: skip
 
     def save(self) -> bytes:
-        """The whole state as bytes, for `restore`: 80 for each particle and a few hundred more. They contain walls and fields, but not a
-        potential. Raises what the potential raises, and `PW85Error` if its energy is not finite, since that is saved."""
+        """Returns the whole state as bytes, for `restore`: 80 bytes for each particle and several hundred more.
+
+        The state contains walls, mesh, fields and law, but not a potential, of which it contains only the energy. If the potential raises
+        an exception, or its energy is not finite, the method raises this exception, or `PW85Error`.
+
+        Examples
+        --------
+        >>> import pypw85
+        >>> ball = [1, 0, 0, 1, 0, 1]
+        >>> two = pypw85.System([[0, 0, 0], [0, 0, 3]], [ball, ball])
+        >>> simulation = pypw85.HardEllipsoids(two)
+        >>> again = pypw85.HardEllipsoids.restore(simulation.save())
+        >>> simulation.sweep(10)
+        >>> again.sweep(10)
+        >>> bool((again.centers == simulation.centers).all())
+        True
+        """
         with self._lock:
             state = np.empty(_core.hard_ellipsoids_num_bytes(self._simulation), np.uint8)
             status = _core.hard_ellipsoids_save(self._simulation, state)
@@ -803,7 +852,7 @@ class HardEllipsoids:
         return state.tobytes()
 
     def system(self) -> System:
-        """A copy of the present state."""
+        """Returns a copy of the present state."""
         with self._lock:
             cell = None if self.cell is None else self.cell.copy()
             system = System(self.centers.copy(), self.q.copy(), cell, self.periodic, dimensions=self.dimensions)
@@ -812,45 +861,46 @@ class HardEllipsoids:
 
     @property
     def dimensions(self) -> int:
-        """3, or 2 for ellipses in a plane of z."""
+        """3, or 2 for ellipses in a plane."""
         _, dimensions = _core.hard_ellipsoids_dimensions(self._simulation)
         return int(dimensions)
 
     @property
     def centers(self) -> Floats:
-        """Centres (n, 3), not wrapped into the cell."""
+        """Centres (n, 3), not wrapped into the cell. Read-only."""
         return self._views.centers
 
     @property
     def semi_axes(self) -> Floats:
-        """Semi-axes (n, 3)."""
+        """Semi-axes (n, 3). Read-only."""
         return self._views.semi_axes
 
     @property
     def quaternions(self) -> Floats:
-        """Orientations (n, 4), as quaternions (w, x, y, z) of length one."""
+        """Orientations (n, 4), unit quaternions (w, x, y, z). Read-only."""
         return self._views.quaternions
 
     @property
     def q(self) -> Floats:
-        """Forms (n, 6)."""
+        """Forms (n, 6). Read-only."""
         return self._views.q
 
     @property
     def cell(self) -> Floats | None:
-        """The vectors of the cell, (3, 3), one in each row; or None."""
+        """Cell vectors (3, 3), one in each row; None without a cell. Read-only."""
         return self._views.cell
 
     @property
     def periodic(self) -> tuple[bool, bool, bool]:
-        """Along which vectors of the cell the system is repeated."""
+        """True for each cell vector along which the system is periodic."""
         return self._views.periodic
 
     @property
     def counts(self) -> dict[str, TrialCounts]:
-        """The trial moves of each type since the simulation was made or tuned.
+        """Numbers of trial moves of each type since the simulation was made or tuned.
 
-        The kinds are "translation", "rotation", "both", "exchange" and "volume".
+        The types are "translation", "rotation", "both" (translation and rotation at once), "exchange" (of the semi-axes of two particles)
+        and "volume".
         """
         with self._lock:
             _, trials, accepted = _core.hard_ellipsoids_counts(self._simulation)
@@ -858,22 +908,22 @@ class HardEllipsoids:
 
     @property
     def steps(self) -> TrialSteps:
-        """The largest changes of a trial."""
+        """Step sizes: the largest changes of a trial move. See `set_steps`."""
         with self._lock:
             return TrialSteps(*_core.hard_ellipsoids_steps(self._simulation)[1])
 
     def set_steps(self, translation: float, rotation: float, volume: float) -> None:
-        """Sets the largest changes of a trial.
+        """Sets the step sizes: the largest changes of a trial move. `tune` chooses them automatically.
 
         Parameters
         ----------
         translation : float
-            The length of a translation, > 0, and in a periodic cell at most that of its longest vector. The memory for lists of
-            neighbours grows with its third power, in two dimensions with the second.
+            Largest length of a translation, > 0; in a periodic cell at most the length of its longest vector. The memory for neighbour
+            lists grows with its third power, in two dimensions with its square.
         rotation : float
-            The tangent of half of the largest angle of a rotation, > 0 and at most 1: ``tan(angle/2)``.
+            ``tan(angle/2)`` of the largest angle of a rotation, > 0 and at most 1.
         volume : float
-            The relative change of a length of the cell, or the shear, > 0 and at most 1.
+            Largest relative change of a length of the cell, or largest shear, > 0 and at most 1.
 
         Raises
         ------
@@ -886,18 +936,17 @@ class HardEllipsoids:
         self._check(status, "set_steps", steps=TrialSteps._fields)
 
     def set_kind_steps(self, semi_axes: ArrayLike, translation: ArrayLike, rotation: ArrayLike) -> None:
-        """Sets the largest translations and rotations of particles with given semi-axes, and removes all step sizes of this type that were
-        set before.
+        """Sets step sizes for particles with given semi-axes (species), and removes all step sizes for species that were set before.
 
-        Other particles have the steps of `set_steps`. `tune` tunes those of each species by its own trials. There is a warning if no
-        particle has these semi-axes.
+        Other particles have the step sizes of `set_steps`. `tune` adjusts the step sizes of each species by the trials of this species. If
+        no particle has the given semi-axes, there is a warning (`UserWarning`).
 
         Parameters
         ----------
         semi_axes : (3,) or (species, 3) array_like
-            Of each species; at most 16 species, or none. They may be those of no particle.
+            Semi-axes of each species, exactly as those of its particles; at most 16 species, or none.
         translation, rotation : float or (species,) array_like
-            As for `set_steps`.
+            As for `set_steps`, for each species.
 
         Raises
         ------
@@ -929,13 +978,15 @@ class HardEllipsoids:
                               "inserted", stacklevel=3)  # fmt: skip
 
     def kind_steps(self, semi_axes: ArrayLike) -> TrialSteps:
-        """The largest changes of trials of particles with some semi-axes.
+        """Returns the step sizes of particles with given semi-axes.
 
-        They are those of `set_steps` if these semi-axes have no steps of their own, whether or not there is such a particle.
+        These are the step sizes of `set_kind_steps`, or those of `set_steps` if none were set for these semi-axes. There need not be such a
+        particle.
 
         Parameters
         ----------
         semi_axes : (3,) array_like
+            Semi-axes of the species.
 
         Returns
         -------
@@ -951,12 +1002,15 @@ class HardEllipsoids:
     def set_fractions(
         self, translation: float = 0.0, rotation: float = 0.0, both: float = 0.0, exchange: float = 0.0
     ) -> None:
-        """Sets which fractions of the trials of a sweep are translations, rotations, both at once, and exchanges of semi-axes.
+        """Sets the fractions of the trials of a sweep that are translations, rotations, both at once, and exchanges of semi-axes.
+
+        An exchange gives two particles the semi-axes of each other. At the start, half of the trials are translations and half are
+        rotations.
 
         Parameters
         ----------
         translation, rotation, both, exchange : float
-            Not negative. They are divided by their sum, which is positive.
+            At least 0. They are divided by their sum, which must be positive.
 
         Raises
         ------

@@ -37,14 +37,18 @@ _LARGEST_WIDTH = 1.0
 
 
 class Compressibility(NamedTuple):
-    """βP/ρ and its standard error."""
+    """Result of `compressibility`: `value`, βP/ρ, and `error`, its standard error."""
 
     value: float
     error: float
 
 
 class Correlation(NamedTuple):
-    """Histogram of μ over pairs: `edges` (k + 1) of the bins, number of pairs in each bin, and the expected number without correlation."""
+    """Result of `correlation`: a histogram of μ over the pairs of a system, in k bins.
+
+    `edges` (k + 1) are the edges of the bins, `pairs` (k) the numbers of pairs, and `uncorrelated` (k) the expected numbers of pairs
+    without correlations. The pair correlation in μ is ``pairs / uncorrelated``.
+    """
 
     edges: Floats
     pairs: Floats
@@ -52,11 +56,13 @@ class Correlation(NamedTuple):
 
 
 class PairCorrelation(NamedTuple):
-    """Pair correlation as a function of distance, one value per bin, with standard errors.
+    """Result of `pair_correlation` in k bins of the distance.
 
-    `edges` (k + 1) are the edges of the bins. `g` (k) is the number of pairs in a shell, or in a ring of the plane, over that of an ideal
-    gas of the same density. `p2` (k) is the mean of 3/2 cos² - 1/2 of the angles between the axes of the particles of a pair, or in two
-    dimensions that of cos 2θ; NaN without pairs. Spheres and discs have no axes.
+    - `edges` (k + 1): edges of the bins, in the unit of length;
+    - `g` (k): number of pairs in a shell (in two dimensions, in a ring), divided by that of an ideal gas of the same density;
+    - `p2` (k): mean of 3/2 cos² θ - 1/2 over the pairs in the shell, with the angle θ between the axes of the two particles; in two
+      dimensions, mean of cos 2θ. NaN without pairs. Pairs with a sphere or a disc are left out, because it has no axis;
+    - `g_error`, `p2_error` (k): standard errors; NaN for a single system.
     """
 
     edges: Floats
@@ -71,7 +77,7 @@ def nematic_order(system: System) -> float:
 
     For N axes without order it is about 1/√N. u is the axis whose length differs most from the middle one: the long axis of rods, the
     short axis of plates. Spheres have no such axis, and are ignored. In two dimensions, u is the long axis of an ellipse, and the order
-    is the largest eigenvalue of 2 <u uᵀ> - 1, which is <cos 2θ> of the angles to the director. Discs do not count.
+    is the largest eigenvalue of 2 <u uᵀ> - 1, which equals <cos 2θ> for the angles θ to the director. Discs are ignored.
 
     Parameters
     ----------
@@ -80,7 +86,19 @@ def nematic_order(system: System) -> float:
     Returns
     -------
     float
-        NaN if all particles are spheres, or discs.
+        NaN if all particles are spheres or discs.
+
+    Raises
+    ------
+    ValueError
+        There are no particles.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 3, [0, 0, 1])
+    >>> pypw85.nematic_order(pypw85.System([[0, 0, 0], [9, 0, 0]], [q, q]))
+    1.0
     """
     return largest_order(nematic_tensor(principal_directions(system), system.dimensions))
 
@@ -116,9 +134,9 @@ def tetratic_order(system: System) -> float:
 
 
 def director(system: System) -> Floats:
-    """Computes the director: the eigenvector of the largest eigenvalue, which is `nematic_order`.
+    """Computes the director: the eigenvector that belongs to the eigenvalue `nematic_order`.
 
-    The result is a unit vector. Its sign has no meaning: the coordinate of the largest magnitude is positive.
+    The result is a unit vector. Its sign has no meaning; it is chosen such that the largest coordinate by magnitude is positive.
 
     Parameters
     ----------
@@ -127,7 +145,19 @@ def director(system: System) -> Floats:
     Returns
     -------
     (3,) array
-        NaN if all particles are spheres, or discs. In two dimensions its z is 0.
+        NaN if all particles are spheres or discs. In two dimensions its z component is 0.
+
+    Raises
+    ------
+    ValueError
+        There are no particles.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 3, [0, -2, 0])
+    >>> pypw85.director(pypw85.System([[0, 0, 0], [9, 0, 0]], [q, q])).round(12) + 0.0
+    array([0., 1., 0.])
     """
     return main_direction(nematic_tensor(principal_directions(system), system.dimensions))
 
@@ -201,25 +231,45 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
     Parameters
     ----------
     mu2 : iterable of array_like
-        μ² of pairs, an array for each configuration: of all pairs with μ < 1 + `width` and any others, as `contact_pairs` gives them for
-        `System.neighbors`.
+        One array of μ² for each configuration. It must contain all pairs with μ < 1 + `width`, and may contain others. Use
+        `contact_pairs` with the list of ``System.neighbors(1 + width)``.
     num_particles : int
+        Number N of particles in each configuration.
     width : float
-        Of the interval of μ, which must be small compared with the scale on which the density of μ changes.
+        Width of the interval of μ - 1 that is extrapolated to contact, > 0 and at most 1. It must be small compared with the scale on
+        which the density of μ changes.
     dimensions : int
-        2 for ellipses.
+        d: 3 for ellipsoids, 2 for ellipses.
 
     Returns
     -------
     Compressibility
-        The error is right for independent configurations. Otherwise estimate it from blocks, with one call for each block. If no pair is
-        within the width, it is NaN: the width is too small.
+        The error is valid for independent configurations. If they are correlated, call the function once for each block of them, and
+        estimate the error from the values. If no pair is within the width, the error is NaN: use a larger width.
 
     Raises
     ------
     ValueError
-        A pair overlaps, or its μ² is NaN; there are fewer than two configurations or no particles; the width is not > 0 and at most 1; or
-        there are neither two nor three dimensions.
+        A pair overlaps, or its μ² is NaN; there are fewer than two configurations, or no particles; `width` is not > 0 and at most 1;
+        or `dimensions` is neither 2 nor 3.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> start = pypw85.pack(np.tile([0.5, 0.5, 1], (50, 1)), 0.3, seed=1)
+    >>> simulation = pypw85.HardEllipsoids(start)
+    >>> simulation.tune(20)
+    >>> mu2 = []
+    >>> for _ in range(50):
+    ...     simulation.sweep(5)
+    ...     s = simulation.system()
+    ...     near = s.neighbors(1.1)
+    ...     others = {"cell": s.cell, "images": near.images}
+    ...     found = pypw85.contact_pairs(near.pairs, s.centers, s.q, **others)
+    ...     mu2.append(found[0])
+    >>> found = pypw85.compressibility(mu2, num_particles=50)
+    >>> bool(3 < found.value < 6)
+    True
     """
     choice(dimensions, "compressibility: dimensions", UNIT_BALL)
     num_particles = integer(num_particles, "compressibility: num_particles", 1)
@@ -260,7 +310,7 @@ def pair_correlation(systems: System | Iterable[System], reach: float, bins: int
     systems : System or iterable of System
         Systems with cells. The error is valid for independent configurations, and NaN for a single one.
     reach : float
-        Largest distance. It may exceed the cell: all images count, except those of the particle itself.
+        Largest distance, > 0. It may exceed the cell: all images count, except those of the particle itself.
     bins : int
         Number of bins between 0 and `reach`.
 
@@ -328,19 +378,20 @@ def count_pairs(system: System, directions: Floats, edges: Floats) -> Floats:
 
 
 def correlation(system: System, reach: float = 2.0, bins: int = 100) -> Correlation:
-    """Pairs with μ < `reach`, binned; the cell must be given.
+    """Computes the histogram of μ over the pairs of a system with μ < `reach`, and the histogram that is expected without correlations.
 
-    Without correlation, the second centre is anywhere: μ < m with the probability m³ E / V, where E is the volume that
-    the first excludes for the second, the mean over directions of 4π/3 (distance of closest approach)³. In two dimensions it is m² E / A,
-    with the area E, the mean of π (distance of closest approach)².
+    Without correlations, the centre of the second particle is uniform in the cell of volume V. Then μ < m with the probability m³ E / V,
+    where E is the excluded volume of the pair, the mean over directions of 4π/3 (distance of closest approach)³. In two dimensions the
+    probability is m² E / A, with the area A of the cell and the excluded area E, the mean of π (distance of closest approach)².
 
     Parameters
     ----------
     system : System
+        Must have a cell.
     reach : float
-        Largest μ.
+        Largest μ, > 0.
     bins : int
-        How many there are between 0 and `reach`.
+        Number of bins between 0 and `reach`, at least 1.
 
     Returns
     -------
@@ -349,11 +400,22 @@ def correlation(system: System, reach: float = 2.0, bins: int = 100) -> Correlat
     Raises
     ------
     ValueError
-        There is no cell.
+        There is no cell; there are no particles; or `reach` or `bins` is not positive.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> system = pypw85.pack(np.tile([0.5, 0.5, 1], (50, 1)), 0.3, seed=1)
+    >>> found = pypw85.correlation(system, reach=1.5, bins=3)
+    >>> found.edges, found.pairs[:2]  # no pair overlaps
+    (array([0. , 0.5, 1. , 1.5]), array([0., 0.]))
     """
     dimensions, volume = system.dimensions, system.volume
+    reach, bins = positive(reach, "correlation: reach"), integer(bins, "correlation: bins", 1)
     if volume is None:
         raise ValueError("a pair correlation needs a cell, for the density: pass cell (of a file: --cell)")
+    if not len(system):
+        raise ValueError("correlation: the system must have particles")
     found = system.neighbors(reach)
     mu2 = contact_pairs(found.pairs, system.centers, system.q, system.cell, images=found.images)[0]
     edges = np.linspace(0, reach, bins + 1, dtype=np.float64)

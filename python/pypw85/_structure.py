@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The structure of a suspension of ellipsoids in Fourier space, by bonds, by angles and in time."""
+"""Structure of a suspension of ellipsoids: structure factor, layers and columns, bond order, angular correlations, displacements."""
 
 from __future__ import annotations
 
@@ -34,11 +34,13 @@ _LONGEST_LAG = 2**31 - 1
 
 
 class StructureFactor(NamedTuple):
-    """The static structure factor in bins of the length of wave vectors.
+    """Result of `structure_factor`: S(q) in bins of the length of the wave vectors.
 
-    `edges` (k + 1) are those of the bins, and `vectors` (k) says how many wave vectors each bin has, where q and -q are one of them, as a
-    mean over the systems. `q` (k) is their mean length, and `s` (k) the mean structure factor, both NaN in a bin without vectors. Errors
-    are by `Blocking`.
+    - `edges` (k + 1): edges of the bins, in the inverse unit of length;
+    - `vectors` (k): number of wave vectors in each bin, as a mean over the systems; q and -q count as one vector;
+    - `q` (k): mean length of these vectors; NaN in a bin without vectors;
+    - `s` (k): mean structure factor; NaN in a bin without vectors;
+    - `s_error` (k): standard error of `s`, by `Blocking`; NaN for fewer than 32 systems.
     """
 
     edges: Floats
@@ -49,9 +51,13 @@ class StructureFactor(NamedTuple):
 
 
 class LayerOrder(NamedTuple):
-    """`order` is \\|<exp(i q·r)>\\|, `wave_vector` (3) is q, and `spacing` 2π/\\|q\\|.
+    """Result of `smectic_order` and `columnar_order`.
 
-    They are NaN, with a warning, if no wave vector of the cell is within the limits.
+    - `order`: \\|<exp(i q·r)>\\|, the mean over the centres r of the particles; from 0 to 1;
+    - `wave_vector` (3): the wave vector q;
+    - `spacing`: the distance of the layers, 2π/\\|q\\|.
+
+    All three are NaN, with a warning, if the cell has no wave vector within the limits of angle and spacing.
     """
 
     order: float
@@ -60,10 +66,11 @@ class LayerOrder(NamedTuple):
 
 
 class BondOrder(NamedTuple):
-    """Steinhardt's order of each particle, and of all bonds together.
+    """Result of `bond_order` for n particles and k degrees l.
 
-    `local` (n, k) has Q_l of the bonds of each particle for k degrees l, `mean` (k) that of the mean of Y_lm over all bonds, and
-    `bonds` (n) the number of bonds of each particle. Without bonds, and with one between coincident centres, they are NaN.
+    - `local` (n, k): Q_l of the bonds of each particle; NaN for a particle without bonds, or with a bond to a coincident centre;
+    - `mean` (k): Q_l of all bonds of the system, by the mean of Y_lm over these;
+    - `bonds` (n): number of bonds of each particle.
     """
 
     local: Floats
@@ -72,8 +79,13 @@ class BondOrder(NamedTuple):
 
 
 class AngularPairCorrelation(NamedTuple):
-    """Pairs by their distance and an angle θ: `g` (k, m) and its errors in bins of the distance with the `edges` (k + 1), and in bins of
-    \\|cos θ\\| with the edges `cosines` (m + 1)."""
+    """Result of `angular_pair_correlation` in k bins of the distance and m bins of \\|cos θ\\|.
+
+    - `edges` (k + 1): edges of the bins of the distance, in the unit of length;
+    - `cosines` (m + 1): edges of the bins of \\|cos θ\\|, from 0 to 1;
+    - `g` (k, m): pair correlation; 1 in an ideal gas;
+    - `g_error` (k, m): standard errors, by `Blocking`; NaN for fewer than 32 systems.
+    """
 
     edges: Floats
     cosines: Floats
@@ -82,7 +94,13 @@ class AngularPairCorrelation(NamedTuple):
 
 
 class Displacements(NamedTuple):
-    """Mean square displacements and rotations after some numbers of samples, `lags` (k), with errors."""
+    """Result of `mean_square_displacement` for k lags.
+
+    - `lags` (k): numbers of samples between start and end, as given;
+    - `translation` (k): mean square displacement of a particle, in the square of the unit of length;
+    - `rotation` (k): mean square rotation of the axis of a particle, in radians squared; NaN without axes;
+    - `translation_error`, `rotation_error` (k): standard errors, by `Blocking`; NaN for fewer than 32 starts.
+    """
 
     lags: Ints
     translation: Floats
@@ -92,26 +110,34 @@ class Displacements(NamedTuple):
 
 
 def wave_vectors(system: System, reach: float) -> tuple[Ints, Floats]:
-    """The wave vectors of a periodic cell up to a length, one of q and -q each, without 0.
+    """Wave vectors of a periodic cell up to a given length. Of q and -q only one is listed, and 0 is not listed.
 
     Parameters
     ----------
     system : System
-        Its cell is periodic along its vectors.
+        Must have a cell that is periodic along all its vectors (in two dimensions, along two).
     reach : float
-        The largest length.
+        Largest length of a wave vector, in the inverse unit of length, > 0.
 
     Returns
     -------
-    multiples : (k, 3) array of integers
-        Of the reciprocal vectors; the last is 0 in two dimensions.
+    multiples : (k, 3) array of int
+        The wave vectors as multiples of the reciprocal vectors. In two dimensions the third multiple is 0.
     vectors : (k, 3) array
-        The wave vectors: multiples times 2π times the inverse of the cell.
+        The wave vectors q, one in each row: the multiples times 2π times the transposed inverse of the cell.
 
     Raises
     ------
     ValueError
-        There is no cell, or it is not periodic along its vectors; or the reach is not positive.
+        There is no cell, or it is not periodic along its vectors; or `reach` is not positive.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> system = pypw85.System([[0, 0, 0]], [[1, 0, 0, 1, 0, 1]], cell=10 * np.eye(3))
+    >>> multiples, vectors = pypw85.wave_vectors(system, reach=0.7)
+    >>> multiples.tolist(), vectors[0].round(4).tolist()
+    ([[0, 0, 1], [0, 1, 0], [1, 0, 0]], [0.0, 0.0, 0.6283])
     """
     reciprocal, reach = _reciprocal(system), positive(reach, "wave_vectors: reach")
     assert system.cell is not None
@@ -141,18 +167,32 @@ def _reciprocal(system: System) -> Floats:
 
 
 def density_modes(system: System, multiples: ArrayLike) -> NDArray[np.complex128]:
-    """Σ exp(i q·r) over the particles, for multiples of the reciprocal vectors of the cell.
+    """Fourier modes of the density: Σ exp(i q·r) over the centres r of the particles, for wave vectors q of the cell.
 
     Parameters
     ----------
     system : System
-        Its cell is periodic along its vectors.
-    multiples : (k, 3) array_like of integers
-        As `wave_vectors` gives them.
+        Must have a cell that is periodic along all its vectors (in two dimensions, along two).
+    multiples : (k, 3) array_like of int
+        Wave vectors as multiples of the reciprocal vectors, such as the first result of `wave_vectors`.
 
     Returns
     -------
-    (k,) array of complex numbers
+    (k,) array of complex
+
+    Raises
+    ------
+    ValueError
+        There is no cell, or it is not periodic along its vectors; the multiples are not rows of three integers; or, in two dimensions,
+        a third multiple is not 0.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> ball = [1, 0, 0, 1, 0, 1]
+    >>> two = pypw85.System([[0, 0, 0], [2.5, 0, 0]], [ball, ball], cell=10 * np.eye(3))
+    >>> pypw85.density_modes(two, [[2, 0, 0], [4, 0, 0]]).round(12).real + 0.0
+    array([0., 2.])
     """
     reciprocal, numbers = _reciprocal(system), np.asarray(multiples)
     if numbers.ndim != 2 or numbers.shape[1] != 3 or not np.issubdtype(numbers.dtype, np.integer):
@@ -175,29 +215,29 @@ def density_modes(system: System, multiples: ArrayLike) -> NDArray[np.complex128
 
 
 def structure_factor(systems: System | Iterable[System], reach: float, bins: int = 50) -> StructureFactor:
-    """The static structure factor S(q) = \\|Σ exp(i q·r)\\|²/N, averaged over the directions of q.
+    """Static structure factor S(q) = \\|Σ exp(i q·r)\\|²/N of the centres r, averaged over the directions of q.
 
-    Only the wave vectors of the periodic cell make sense: those of `wave_vectors`. Ideal gases have 1. 1/S(0) is the derivative of βP by
-    the density in a fluid; small q need a large cell.
+    The function uses the wave vectors of the periodic cell (`wave_vectors`), because S has a meaning only for these. The smallest q is
+    2π over the edge of the cell, so small q need a large cell. In an ideal gas S = 1. In a fluid, 1/S(0) is the derivative of βP with
+    respect to the density.
 
     Parameters
     ----------
     systems : System or iterable of System
-        With cells that are periodic along their vectors, in the order in which a simulation gave them.
+        Samples, in the order in which a simulation gave them. Each cell must be periodic along all its vectors.
     reach : float
-        The largest length of q.
+        Largest length of q, in the inverse unit of length, > 0.
     bins : int
-        How many there are between 0 and `reach`.
+        Number of bins between 0 and `reach`, at least 1.
 
     Returns
     -------
     StructureFactor
-        Errors are NaN for fewer than 32 systems.
 
     Raises
     ------
     ValueError
-        A cell is not periodic along its vectors, or a system has no particles; there is no system; reach or bins are not positive.
+        A cell is not periodic along its vectors; a system has no particles; there is no system; or `reach` or `bins` is not positive.
 
     Examples
     --------
@@ -236,21 +276,22 @@ def _all_systems(systems: System | Iterable[System], name: str) -> Iterator[Syst
 
 
 def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayLike | None = None, angle: float = 15.0) -> LayerOrder:
-    """The order of layers across an axis: the largest \\|<exp(i q·r)>\\| over the wave vectors q of the cell near the axis.
+    """Computes the smectic order: the largest \\|<exp(i q·r)>\\| over the wave vectors q of the cell nearly parallel to an axis.
 
-    It is 1 if all particles are in the middle of equally spaced layers. Without layers it is of the order of √(ln M / N), for M wave
-    vectors and N particles. A crystal has layers, too.
+    The order is 1 if all centres lie in equally spaced planes perpendicular to q. Without layers it is about √(ln M / N) for M wave
+    vectors and N particles. A crystal also consists of layers, and has a large order.
 
     Parameters
     ----------
     system : System
-        Its cell is periodic along its vectors.
+        Must have a cell that is periodic along all its vectors (in two dimensions, along two).
     axis : (3) array_like, optional
-        A vector of any length > 0. By default the `director`.
+        Normal of the layers, a vector of any length > 0. By default the `director`.
     spacing : (2) array_like, optional
-        The least and the largest distance between layers. By default half of the longest diameter, and twice the longest diameter.
+        Smallest and largest distance between two layers. By default half the longest diameter of a particle, and twice this diameter.
     angle : float
-        The largest angle between q and the axis, in degrees. The layers of a periodic cell must fit into it, so they may be oblique.
+        Largest angle between q and the axis, in degrees, from 0 to 90. Layers must fit into the periodic cell. Therefore they can be
+        slightly oblique to the axis, and an angle of 0 may exclude them.
 
     Returns
     -------
@@ -259,7 +300,20 @@ def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayL
     Raises
     ------
     ValueError
-        The cell is not periodic along its vectors; there are no particles; axis, spacing or angle are out of range.
+        The cell is not periodic along its vectors; there are no particles; or `axis`, `spacing` or `angle` is out of range.
+
+    Examples
+    --------
+    Four layers of spheres, 2.5 apart along z:
+
+    >>> import numpy as np, pypw85
+    >>> centers = np.random.default_rng(1).uniform(0, 10, (400, 3))
+    >>> centers[:, 2] = np.repeat([0, 2.5, 5, 7.5], 100)
+    >>> q = [[0.01, 0, 0, 0.01, 0, 0.01]] * 400
+    >>> system = pypw85.System(centers, q, cell=10 * np.eye(3))
+    >>> found = pypw85.smectic_order(system, axis=[0, 0, 1], spacing=[1, 4])
+    >>> round(found.order, 12), round(found.spacing, 12)
+    (1.0, 2.5)
     """
     cosine, vectors, order = _modes_by_angle(system, axis, spacing, angle, "smectic_order")
     chosen = np.flatnonzero(np.abs(cosine) >= np.cos(np.radians(angle)))
@@ -269,23 +323,27 @@ def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayL
 def columnar_order(
     system: System, axis: ArrayLike | None = None, spacing: ArrayLike | None = None, angle: float = 15.0
 ) -> tuple[LayerOrder, LayerOrder]:
-    """The order of columns along an axis: the two largest \\|<exp(i q·r)>\\| over wave vectors q of the cell across it.
+    """Computes the columnar order: the two largest \\|<exp(i q·r)>\\| over wave vectors q of the cell nearly perpendicular to an axis.
 
-    The angle between the two is at least 30°. Columns have two large orders, layers along the axis one, and the order of the columns is the
-    second. A crystal has columns, too.
+    The angle between the two wave vectors is at least 30°. Columns along the axis give two large orders; layers that contain the axis
+    give only one. Therefore the second order is the order of the columns. A crystal also has columns.
 
     Parameters
     ----------
-    system, axis
-        As for `smectic_order`.
+    system : System
+        Three-dimensional, with a cell that is periodic along all its vectors.
+    axis : (3) array_like, optional
+        Direction of the columns, a vector of any length > 0. By default the `director`.
     spacing : (2) array_like, optional
-        The least and the largest distance between rows of columns. By default half of the longest diameter, and twice this diameter.
+        Smallest and largest distance between two rows of columns. By default half the longest diameter of a particle, and twice this
+        diameter.
     angle : float
-        The largest angle between q and the plane across the axis, in degrees.
+        Largest angle between q and the plane perpendicular to the axis, in degrees, from 0 to 90.
 
     Returns
     -------
-    two LayerOrder
+    first, second : LayerOrder
+        The largest order, and the largest one at least 30° away from the first.
 
     Raises
     ------
@@ -340,20 +398,21 @@ def _largest(vectors: Floats, order: Floats, name: str, where: str) -> LayerOrde
 def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | None = 12, reach: float | None = None) -> BondOrder:
     """Steinhardt's bond order Q_l = √(4π/(2l + 1) Σ \\|<Y_lm>\\|²) of the directions from each particle to its neighbours.
 
-    With twelve neighbours, Q4 and Q6 are 0.1909 and 0.5745 in a face-centred cubic lattice, and 0.0972 and 0.4848 in a hexagonal close
-    packing; with fourteen, 0.0364 and 0.5107 in a body-centred cubic lattice. Where the number of neighbours is not clear, freud has bonds
-    by Voronoi cells.
+    The sum is over m from -l to l, and the mean <Y_lm> is over the bonds (Steinhardt et al., Phys. Rev. B 28, 784, 1983). With 12
+    neighbours, Q4 and Q6 are 0.1909 and 0.5745 in a face-centred cubic lattice, and 0.0972 and 0.4848 in a hexagonal close packing. With
+    14 neighbours, they are 0.0364 and 0.5107 in a body-centred cubic lattice. If the number of neighbours is not clear, use the Python
+    package freud, which defines bonds by Voronoi cells.
 
     Parameters
     ----------
     system : System
-        Of three dimensions; a cell gives images.
+        Three-dimensional. Along the periodic vectors of a cell, images are neighbours, too.
     degrees : sequence of int
-        The degrees l.
+        The degrees l, at least 0.
     nearest : int or None
-        The number of neighbours: those with the nearest centres.
+        Number of neighbours of each particle: those with the nearest centres. Pass None to use `reach`.
     reach : float, optional
-        With `nearest` None: all particles whose centres are at most so far away are neighbours.
+        Instead of `nearest`: all particles whose centres are at most this far away are neighbours.
 
     Returns
     -------
@@ -362,8 +421,8 @@ def bond_order(system: System, degrees: Sequence[int] = (4, 6), nearest: int | N
     Raises
     ------
     ValueError
-        The system is two-dimensional; neither or both of `nearest` and `reach` are given, or they are not positive; a degree is negative;
-        or there are fewer neighbours.
+        The system is two-dimensional; neither or both of `nearest` and `reach` are given; one of them is not positive; a degree is
+        negative; or a particle has fewer than `nearest` neighbours.
 
     Examples
     --------
@@ -454,30 +513,38 @@ def _harmonics(directions: Floats, degree: int) -> Iterator[NDArray[np.complex12
 def angular_pair_correlation(
     systems: System | Iterable[System], reach: float, bins: int = 50, angles: int = 10, between: str = "axes"
 ) -> AngularPairCorrelation:
-    """The pair correlation by distance and by an angle θ of the pair, g(r, \\|cos θ\\|); 1 in an ideal gas.
+    """Pair correlation g(r, \\|cos θ\\|) as a function of the distance r of two centres and an angle θ; 1 in an ideal gas.
 
     Parameters
     ----------
     systems : System or iterable of System
-        Of three dimensions, with cells that are periodic along their vectors, in the order in which a simulation gave them. Particles
-        without an axis (`nematic_order`) do not count where the angle needs one.
+        Three-dimensional samples, in the order in which a simulation gave them. Each cell must be periodic along all its vectors. If
+        the angle needs the axis of a particle, particles without an axis (spheres, see `nematic_order`) are left out.
     reach : float
-        The largest distance. All images count, but those of the particle itself.
+        Largest distance, > 0. It may exceed the cell: all images count, except those of the particle itself.
     bins, angles : int
-        The numbers of bins of the distance and of \\|cos θ\\| from 0 to 1.
-    between : str
-        "axes", "separation" or "director": the angle is that between the axes of the two particles; between the axis of each of them and
-        the line to the other; or between this line and the director.
+        Numbers of bins of the distance and of \\|cos θ\\|, at least 1.
+    between : {"axes", "separation", "director"}
+        Definition of θ. "axes": between the axes of the two particles. "separation": between the axis of a particle and the line to
+        the other particle; each pair counts twice. "director": between this line and the `director`.
 
     Returns
     -------
     AngularPairCorrelation
-        Errors are NaN for fewer than 32 systems.
 
     Raises
     ------
     ValueError
-        A system is two-dimensional, or its cell is not periodic along its vectors; there is no system; an argument is out of range.
+        A system is two-dimensional, or its cell is not periodic along its vectors; there is no system; or an argument is out of range.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> centers = np.random.default_rng(1).uniform(0, 9, (2000, 3))
+    >>> gas = pypw85.System(centers, [[1, 0, 0, 1, 0, 4]] * 2000, 9 * np.eye(3))
+    >>> found = pypw85.angular_pair_correlation(gas, 3, 1, 2, "separation")
+    >>> bool(abs(found.g - 1).max() < 0.05)
+    True
     """
     name = "angular_pair_correlation"
     reach, bins, angles = positive(reach, f"{name}: reach"), integer(bins, f"{name}: bins", 1), integer(angles, f"{name}: angles", 1)
@@ -519,30 +586,41 @@ def _count_by_angle(system: System, edges: Floats, angles: int, between: str) ->
 
 
 def mean_square_displacement(systems: Iterable[System], lags: Iterable[int]) -> Displacements:
-    """Displacements and rotations of particles over some numbers of samples, as mean squares over particles and starts.
+    """Mean square displacements and rotations of the particles over given numbers of samples (lags).
 
-    The motion between two samples is the shortest one: each coordinate in the cell changes by less than a half, and each axis turns by less
-    than a right angle. So samples must follow each other closely, in relation to the cell and to a turn, and particles may have been
-    wrapped into the cell. Where the cell changes, a displacement is that of the coordinates in the cell, in the cell at the end.
-    The rotation is the length of the sum of the small rotations u × u′ that turn one axis into the next, without spin about the axis.
+    The mean is over all particles, and over all samples as starts. Between two successive samples, the function takes the shortest
+    motion: each coordinate in the cell changes by less than one half, and each axis rotates by less than a right angle. Therefore the
+    samples must follow each other closely. The centres may be wrapped into the cell or not. If the cell changes, the displacement of
+    the coordinates in the cell is converted by the cell at the end of the lag. The rotation of a particle is the sum of the rotation
+    vectors that rotate its axis from sample to sample; rotations about the axis itself do not count.
 
     Parameters
     ----------
     systems : iterable of System
-        Samples in equal intervals, of the same particles in the same order.
+        Samples at equal intervals, with the same particles in the same order.
     lags : iterable of int
-        Numbers of samples, at least 1. The largest is the number of samples in memory.
+        Numbers of samples between start and end, at least 1. As many samples as the largest lag are in memory at the same time.
 
     Returns
     -------
     Displacements
-        NaN, with a warning, for lags longer than the run. Rotations are NaN if all particles are spheres or discs. Errors are by
-        `Blocking` over the starts, and NaN for fewer than 32 of them.
+        NaN, with a warning, for a lag that is longer than the run.
 
     Raises
     ------
     ValueError
-        A lag is not positive, or there is none; systems have other numbers of particles or dimensions; or there is no system.
+        A lag is not positive; there is no lag or no system; or the number of particles or of dimensions changes.
+
+    Examples
+    --------
+    A particle that moves by 0.5 between two samples:
+
+    >>> import numpy as np, pypw85
+    >>> ball, cell = [1, 0, 0, 1, 0, 1], 4 * np.eye(3)
+    >>> centers = [[0.5 * k % 4, 0, 0] for k in range(10)]
+    >>> samples = [pypw85.System([center], [ball], cell) for center in centers]
+    >>> pypw85.mean_square_displacement(samples, lags=[1, 4]).translation
+    array([0.25, 4.  ])
     """
     wanted = np.unique(_integers(lags, "mean_square_displacement: lags", 1, _LONGEST_LAG))
     if not len(wanted):

@@ -33,9 +33,23 @@ def _vector(name: str, value: ArrayLike) -> tuple[float, float, float]:
 
 
 class Wall(NamedTuple):
-    """A hard wall of a simulation: see `HardEllipsoids.set_walls`.
+    """A hard wall of a simulation, for `HardEllipsoids.set_walls`.
 
-    In two dimensions, points and vectors may be given as (x, y).
+    Make walls by `Wall.plane`, `Wall.sphere`, `Wall.cylinder` and `Wall.box`. Lengths are in the unit of the system. For a
+    two-dimensional simulation, points and vectors may be given as (x, y).
+
+    Examples
+    --------
+    A slit between two plates at z = 0 and z = 5:
+
+    >>> import pypw85
+    >>> slit = [pypw85.Wall.plane([0, 0, -1], 0), pypw85.Wall.plane([0, 0, 1], 5)]
+    >>> one = pypw85.System.from_axes([[0, 0, 2]], [[0.5, 0.5, 1]], [[1, 0, 0, 0]])
+    >>> simulation = pypw85.HardEllipsoids(one)
+    >>> simulation.set_walls(slit)
+    >>> simulation.sweep(1000)
+    >>> bool(0 < simulation.centers[0, 2] < 5)
+    True
     """
 
     kind: int
@@ -45,13 +59,14 @@ class Wall(NamedTuple):
 
     @classmethod
     def plane(cls, normal: ArrayLike, offset: float) -> Wall:
-        """The half-space normal·x >= offset.
+        """A wall that fills the half-space normal·x >= offset. Particles are on the other side.
 
         Parameters
         ----------
         normal : (3,) array_like
-            Into the wall, of any length > 0.
+            Normal of the surface, pointing into the wall, of any length > 0.
         offset : float
+            The distance of the surface from the origin along the normal, multiplied by the length of the normal.
 
         Returns
         -------
@@ -61,12 +76,14 @@ class Wall(NamedTuple):
 
     @classmethod
     def sphere(cls, center: ArrayLike, radius: float) -> Wall:
-        """A wall that fills everything outside a sphere; in two dimensions, outside a disc.
+        """A wall that fills everything outside a sphere; in two dimensions, outside a disc. Particles are inside.
 
         Parameters
         ----------
         center : (3,) array_like
+            Centre of the sphere.
         radius : float
+            Radius of the sphere, > 0.
 
         Returns
         -------
@@ -76,15 +93,16 @@ class Wall(NamedTuple):
 
     @classmethod
     def cylinder(cls, point: ArrayLike, axis: ArrayLike, radius: float) -> Wall:
-        """A wall that fills everything outside a cylinder of infinite length.
+        """A wall that fills everything outside a cylinder of infinite length. Particles are inside.
 
         Parameters
         ----------
         point : (3,) array_like
-            Of the axis.
+            Any point on the axis of the cylinder.
         axis : (3,) array_like
-            Of any length > 0.
+            Direction of the axis, of any length > 0.
         radius : float
+            Radius of the cylinder, > 0.
 
         Returns
         -------
@@ -94,12 +112,12 @@ class Wall(NamedTuple):
 
     @classmethod
     def box(cls, lower: ArrayLike, upper: ArrayLike) -> Wall:
-        """A wall that fills everything outside a box; in two dimensions, outside a rectangle.
+        """A wall that fills everything outside a box; in two dimensions, outside a rectangle. Particles are inside.
 
         Parameters
         ----------
         lower, upper : (3,) array_like
-            Corners.
+            Corners with the smallest and the largest coordinates. The edges are parallel to x, y and z.
 
         Returns
         -------
@@ -109,9 +127,20 @@ class Wall(NamedTuple):
 
 
 class Field(NamedTuple):
-    """A field that acts on each particle of a simulation: see `HardEllipsoids.set_fields`.
+    """An external field that acts on each particle of a simulation, for `HardEllipsoids.set_fields`.
 
-    Energies are in the unit of k_B T. In two dimensions, points and vectors may be given as (x, y).
+    Make fields by `Field.linear`, `Field.weight`, `Field.harmonic` and `Field.aligning`. Energies are in units of k_B T: βU is the energy
+    of one particle. For a two-dimensional simulation, points and vectors may be given as (x, y).
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> one = pypw85.System.from_axes([[0, 0, 2]], [[1, 1, 1]], [[1, 0, 0, 0]])
+    >>> simulation = pypw85.HardEllipsoids(one)
+    >>> trap = pypw85.Field.harmonic([0, 0, 0], [1, 1, 1])
+    >>> simulation.set_fields([pypw85.Field.linear([0, 0, 0.5]), trap])
+    >>> simulation.energy()  # 0.5 z + z²/2
+    3.0
     """
 
     kind: int
@@ -122,11 +151,12 @@ class Field(NamedTuple):
 
     @classmethod
     def linear(cls, gradient: ArrayLike) -> Field:
-        """βU = gradient·x, with the centre x.
+        """A field with βU = gradient·x, where x is the centre of the particle.
 
         Parameters
         ----------
         gradient : (3,) array_like
+            Gradient of βU, in the inverse unit of length. The force is its negative.
 
         Returns
         -------
@@ -136,12 +166,12 @@ class Field(NamedTuple):
 
     @classmethod
     def weight(cls, gradient: ArrayLike) -> Field:
-        """βU = V gradient·x, with the volume V of the particle, or its area in two dimensions: weight less buoyancy.
+        """A field with βU = V gradient·x, where V is the volume of the particle (its area in two dimensions): weight less buoyancy.
 
         Parameters
         ----------
         gradient : (3,) array_like
-            β times the difference of mass densities times the acceleration, upwards.
+            β (ρ_particle - ρ_liquid) g with the mass densities ρ and the acceleration g, as a vector that points upwards.
 
         Returns
         -------
@@ -151,13 +181,14 @@ class Field(NamedTuple):
 
     @classmethod
     def harmonic(cls, center: ArrayLike, stiffness: ArrayLike) -> Field:
-        """βU = Σ_d stiffness_d (x_d - center_d)²/2.
+        """A harmonic trap with βU = Σ_d stiffness_d (x_d - center_d)²/2, where x is the centre of the particle.
 
         Parameters
         ----------
         center : (3,) array_like
+            Centre of the trap.
         stiffness : (3,) array_like
-            Along x, y and z; 0 where the field does not act.
+            Stiffness along x, y and z, in the inverse square of the unit of length; 0 along a direction in which the trap does not act.
 
         Returns
         -------
@@ -167,16 +198,16 @@ class Field(NamedTuple):
 
     @classmethod
     def aligning(cls, direction: ArrayLike, strength: float, axis: SupportsIndex = 2) -> Field:
-        """βU = -strength (3 cos²θ - 1)/2, with the angle θ between a direction and a principal axis of the particle.
+        """A field with βU = -strength (3 cos²θ - 1)/2, where θ is the angle between a direction and a principal axis of the particle.
 
         Parameters
         ----------
         direction : (3,) array_like
-            Of any length > 0.
+            A vector of any length > 0.
         strength : float
-            Negative to align the axes across the direction.
+            Positive to align the axes parallel to the direction, negative to align them perpendicular to it.
         axis : int
-            Number of the principal axis, from 0 to 2.
+            The principal axis: 0, 1 or 2, in the order of the semi-axes of the particle.
 
         Returns
         -------

@@ -29,9 +29,12 @@ Ints = NDArray[np.int32]
 class Contacts(NamedTuple):
     """Pairs of a system in the order of increasing μ, one array per quantity.
 
-    `pairs` (k, 2) are indices of particles, and `images` (k, 3) the multiples of the cell vectors to add to the second centre. `point`
-    (k, 3) is the contact point in the coordinates of the system, and `normal` (k, 3) is the normal from the first particle to the
-    second.
+    - `pairs` (k, 2): indices of the two particles, from 0;
+    - `images` (k, 3): multiples of the cell vectors to add to the centre of the second particle;
+    - `mu` (k): μ, the factor by which both ellipsoids must be scaled to touch;
+    - `overlap` (k): True if the pair overlaps, by the exact test;
+    - `point` (k, 3): contact point of the scaled ellipsoids, in the coordinates of the system; NaN for coincident centres;
+    - `normal` (k, 3): unit normal at this point, from the first particle to the second; NaN for coincident centres.
     """
 
     pairs: Ints
@@ -43,7 +46,20 @@ class Contacts(NamedTuple):
 
 
 class Report(NamedTuple):
-    """Result of `System.check`. In two dimensions, `volume` is the area of the cell, and `packing_fraction` is area over area."""
+    """Result of `System.check`.
+
+    - `particles`: number of particles with a shape;
+    - `shapeless`: number of particles of the file that have no shape, and were not checked;
+    - `volume`, `packing_fraction`: as the properties of `System`; None without a cell;
+    - `pairs_tested`: number of pairs whose bounding boxes intersect, including images;
+    - `overlaps`: number of overlapping pairs;
+    - `smallest_mu`: smallest μ of all pairs; None if there is no pair;
+    - `nearest_image_limit`: as `pypw85.nearest_image_limit`. If it is below 1, a program that tests only nearest images can miss overlaps
+      (this package tests all images). None without a cell;
+    - `contacts`: the pairs with μ < `below`;
+    - `worst`: the `worst` pairs with the smallest μ;
+    - `dimensions`: 3, or 2 for ellipses.
+    """
 
     particles: int
     shapeless: int
@@ -71,14 +87,16 @@ class System:
         Rows are the vectors of the cell.
     periodic : bool or three bools
         The cell vectors along which the system is periodic. A system without a cell is not periodic.
-    types, ids : (n) array_like, optional
-        Types (any numbers or strings; by default 0), and integers that identify the particles (by default 1 to n).
+    types : (n) array_like, optional
+        Types of the particles, any numbers or strings. By default 0.
+    ids : (n) array_like of int, optional
+        Integers that identify the particles in files and messages. By default 1 to n.
     origin : (3) array_like
-        Corner of the cell.
+        Corner of the cell from which the cell vectors start. By default 0.
     step : int
         Time step.
     shapeless : int
-        Number of other particles in the file, which have no shape.
+        Number of particles of a file that have no shape, and therefore are not in the system.
     dimensions : int
         2 for a system of ellipses: all centres have the same z, and z is a principal axis of each ellipsoid. The ellipses are the
         sections of the ellipsoids with this plane. Densities, order parameters and correlations are then those of the plane. The third
@@ -89,7 +107,23 @@ class System:
     source : str
         How the columns of the file were read, such as "lengths shapex shapey shapez as diameters"; empty if the system is not from a file.
     notes : tuple of str
-        Remarks on how the file was read.
+        Warnings of the reader of the file.
+
+    Raises
+    ------
+    ValueError
+        Shapes of arrays do not match; or, with `dimensions` 2, the particles are not ellipses in one plane.
+
+    Examples
+    --------
+    Two spheres of radius 1 in a periodic cube, which overlap through a face of the cube:
+
+    >>> import numpy as np, pypw85
+    >>> q = [[1, 0, 0, 1, 0, 1]] * 2
+    >>> system = pypw85.System([[0.5, 5, 5], [9, 5, 5]], q, cell=10 * np.eye(3))
+    >>> found = system.overlaps()
+    >>> found.pairs.tolist(), found.images.tolist(), found.mu.tolist()
+    ([[0, 1]], [[-1, 0, 0]], [0.75])
     """
 
     source: str
@@ -143,9 +177,35 @@ class System:
 
     @classmethod
     def from_axes(cls, centers: ArrayLike, semi_axes: ArrayLike, quaternions: ArrayLike, **others: Any) -> System:
-        """Make a system from semi-axes (n, 3) and quaternions (n, 4; w, x, y, z; of any length > 0); `others` as for `System`.
+        """Make a system from semi-axes and quaternions.
 
-        In two dimensions the quaternions become rotations about z, and the last semi-axis becomes the one along z.
+        Parameters
+        ----------
+        centers : (n, 3) array_like
+            Centres of the particles.
+        semi_axes : (n, 3) array_like
+            Semi-axes along x, y and z of the body frame, > 0.
+        quaternions : (n, 4) array_like
+            Rotations (w, x, y, z) from the body frame to the space frame, of any length > 0.
+        **others
+            As for `System`. With ``dimensions=2`` the semi-axes and quaternions are reordered such that the quaternions are rotations about
+            z, and the third semi-axis is along z.
+
+        Returns
+        -------
+        System
+
+        Raises
+        ------
+        ValueError
+            Shapes of arrays do not match.
+
+        Examples
+        --------
+        >>> import pypw85
+        >>> system = pypw85.System.from_axes([[0, 0, 0]], [[1, 2, 3]], [[1, 0, 0, 0]])
+        >>> system.q
+        array([[1., 0., 0., 4., 0., 9.]])
         """
         given = _rows(semi_axes, 3, "semi_axes"), _rows(quaternions, 4, "quaternions")
         axes = given[0], unit_quaternions(given[1])
@@ -342,16 +402,52 @@ class System:
         return neighbors(self.centers, self.q, self.cell, self.periodic, scale, skin)
 
     def contacts(self, below: float = 1.0) -> Contacts:
-        """Find all pairs with μ < `below`. For `below` = 1 the exact test decides."""
+        """Find all pairs with μ < `below`, including images. For `below` = 1 the exact test decides.
+
+        Parameters
+        ----------
+        below : float
+            Limit of μ, > 0.
+
+        Returns
+        -------
+        Contacts
+        """
         below = positive(below, "System.contacts: below")
         return self._contacts(self._candidates(below), below)
 
     def overlaps(self) -> Contacts:
-        """Find all pairs that overlap."""
+        """Find all pairs that overlap, including images, by the exact test.
+
+        Returns
+        -------
+        Contacts
+        """
         return self.contacts()
 
     def check(self, worst: int = 10, below: float = 1.0) -> Report:
-        """Find the overlaps, the pairs with μ < `below`, and the `worst` pairs with the smallest μ, whether they overlap or not."""
+        """Find the overlaps, the pairs with μ < `below`, and the `worst` pairs with the smallest μ, whether they overlap or not.
+
+        Parameters
+        ----------
+        worst : int
+            Number of pairs in ``worst`` of the result, at least 0.
+        below : float
+            Limit of μ for the pairs in ``contacts`` of the result, > 0. 1 means the overlapping pairs.
+
+        Returns
+        -------
+        Report
+
+        Examples
+        --------
+        >>> import numpy as np, pypw85
+        >>> q = [[1, 0, 0, 1, 0, 1]] * 2
+        >>> system = pypw85.System([[0.5, 5, 5], [9, 5, 5]], q, cell=10 * np.eye(3))
+        >>> report = system.check(worst=1)
+        >>> report.overlaps, report.smallest_mu, round(report.packing_fraction, 4)
+        (1, 0.75, 0.0084)
+        """
         worst, below = integer(worst, "System.check: worst"), positive(below, "System.check: below")
         tested = self._candidates(1.0)
         counts = len(tested.pairs), int(tested.overlap.sum())

@@ -441,6 +441,24 @@ def test_memory(folder):
     assert 0.5 <= (needed[1] - needed[0]) / (bound[1] - bound[0]) <= 0.9, (needed, bound)
 
 
+def test_plot_without_pairs(run, folder):
+    """The pictures of μ are empty: the command says so."""
+    pypw85.write("far.csv", pypw85.System.from_axes([[0, 0, 0]], [[1, 1, 1]], [[1, 0, 0, 0]], cell=9 * np.eye(3)))
+    done = run("plot", "far.csv", "a.png", "--reach", 2)
+    assert done.status == 0 and "far.csv: no pair has μ < 2, so there is nothing in the plots of μ: use a larger number" in done.err
+
+
+@pytest.mark.parametrize("name", ["check", "convert", "draw", "mc", "plot", "relax"])
+def test_options_for_reading_follow(run, name):
+    """The options of the command itself come first; all commands that read a file have the same ones for this, behind them."""
+    first, behind = run(name, "--help").out.split("\nOptions for reading the input file:\n")
+    options = re.findall(r"^  (--[\w-]+)", behind, re.MULTILINE)
+    assert {"--format", "--shape", "--spacing"} <= set(options)
+    assert options == re.findall(r"^  (--[\w-]+)", run("check", "--help").out.split("input file:\n")[1], re.MULTILINE)
+    assert not [option for option in options if re.search(rf"^  {option}\b(?!-)", first, re.MULTILINE)]
+    assert "RANGE" not in first + behind
+
+
 def test_help(run):
     done = run("check", "--help")
     assert done.status == 0 and "--workers" in done.out

@@ -263,6 +263,10 @@ def test_counted():
     (b"\x5c\1\0\0" + bytes(9), "pictures are not read"), (b"PAR1\x15", "binary files of MATLAB, Parquet and Excel are not read"),
     (b"***tess\n **format\n", "tessellations of Neper"), (b"#CRTFv0\n", "regions of CASA are not read: save them as regions of DS9"),
     (b"Water\n 2\n    1SOL     OW    1   0.126   1.624   1.679\n", "files of GROMACS"), (b"TITLE\nWater\nEND\nPOSITION\n", "of GROMACS"),
+    (b"\\fixlen = T\n| x | y | a |\n| double| double| double|\n 1 2 3\n", "tables of IPAC .* are not read: save the table as CSV"),
+    (b"| x | y | a |\n|double|d|real|\n 1 2 3\n", "tables of IPAC .* are not read: save the table as CSV"),
+    (b"| x | y | z | radius |\n|---|:--|---|---:|\n| 1 | 2 | 3 | 4 |\n", "tables of Markdown are not read: save the table as CSV"),
+    (b"x | y | z | radius\n--- | --- | --- | ---\n1 | 2 | 3 | 4\n", "tables of Markdown are not read: save the table as CSV"),
 ])  # fmt: skip
 def test_other_files(start, reason, tmp_path):
     (tmp_path / "a.bin").write_bytes(start)

@@ -178,7 +178,7 @@ def test_usual_chains(run, folder, fraction, axes):
     # between twice the shortest and twice the longest semi-axis.
     z = np.mean([simulation.chain(1, found[-1] * unit) for _ in range(200)])
     least, most = ((z - 1) * found[0] / (4 / 3 * size) + 4 * found[0] / max(axes) for size in (max(axes), min(axes)))
-    assert least < 1.3 * runs._PATHS and most > 0.7 * runs._PATHS
+    assert least < 1.3 * runs.PATHS and most > 0.7 * runs.PATHS
 
 
 def test_usual_chains_of_discs():
@@ -188,7 +188,7 @@ def test_usual_chains_of_discs():
     simulation.tune(200)
     length = runs.usual_sampling(simulation).chain_length
     z = np.mean([simulation.chain(1, length) for _ in range(200)])
-    np.testing.assert_allclose((z - 1) * length / (np.pi / 2) + 4 * length, runs._PATHS, rtol=0.2)
+    np.testing.assert_allclose((z - 1) * length / (np.pi / 2) + 4 * length, runs.PATHS, rtol=0.2)
 
 
 def test_usual_sampling_by_compressibility(monkeypatch):
@@ -589,7 +589,7 @@ def test_doubts(run, folder, monkeypatch):
         done = run("mc", "dense.xyz", "--sweeps", 400, "--every", 2, "--chains", 0, "--equilibrate", 40, "--out", "wide.h5", "--width", 1)
     drifts = "contacts by -3.1 times its error, contacts_bias by 3.0 times its error: begin again, equilibrate longer (--equilibrate); "
     assert drifts + "the errors in the table allow for this" in done.out
-    assert re.search(r"warning: the width biases compressibility_contacts by some \S+: choose a smaller one \(--width\)", done.out), done
+    assert re.search(r"warning: the width biases compressibility_contacts by about \S+: choose a smaller one \(--width\)", done.out), done
     done = run("mc", "start.xyz", "--sweeps", 3, "--out", "new.h5", "--width", 5)
     assert done.err.endswith("Invalid value for '--width': must be a finite number > 0 and at most 1, not '5'\n")
     pypw85.write("one.xyz", pypw85.System.from_axes([[0, 0, 0]], [[0.3, 0.3, 0.5]], [[1, 0, 0, 0]], cell=np.eye(3)))
@@ -792,9 +792,9 @@ BAD = [
     (["mc"], "give START and --sweeps and --out for a new run, or --resume FILE to continue one"),
     ([*GOOD[:5], "no/new.h5"], "no/new.h5: there is no folder no"),
     ([*GOOD[:5], "new.txt"], "new.txt: is not a name of a run: end it with .h5 or .csv"),
-    ([*GOOD[:5], "old.h5"], r"old.h5: is there already: continue it \(--resume\), or name another file"),
-    ([*GOOD[:5], "table.csv"], "table.csv: is there already"),
-    ([*GOOD, "--trajectory", "start.xyz"], "start.xyz: is there already"),
+    ([*GOOD[:5], "old.h5"], r"old.h5: exists already: continue it \(--resume\), or name another file"),
+    ([*GOOD[:5], "table.csv"], "table.csv: exists already"),
+    ([*GOOD, "--trajectory", "start.xyz"], "start.xyz: exists already"),
     ([*GOOD, "--trajectory", "new.h5"], "a trajectory grows during the run: end its name with .gsd, .xyz or .dump"),
     ([*GOOD, "--trajectory", "new.xyz.gz"], "a trajectory grows during the run: end its name with .gsd, .xyz or .dump"),
     ([*GOOD, "--trajectory", "no/new.xyz"], "no/new.xyz: there is no folder no"),
@@ -814,7 +814,7 @@ BAD = [
     ([*GOOD, "--trajectory-every", "5"], "--trajectory-every has no effect without --trajectory: "),
     ([*GOOD, "--every", "11"], "--every must be at most --sweeps, 10, not 11: nothing would be written"),
     ([*GOOD, "--trajectory", "new.xyz"], "--trajectory-every must be at most --sweeps, 10, not 1000: nothing would be written"),
-    ([*GOOD, "--chains", "0", "--chain-length", "5"], "--chain-length has no effect without --chains: "),
+    ([*GOOD, "--chains", "0", "--chain-length", "5"], "--chain-length has no effect with --chains 0: "),
     ([*GOOD, "--threads", "100000"], "must be a whole number from 1 to 1024.*, not '100000'"),
     *[([*GOOD, "--equilibrate", number], f"must be a whole number from 0 to.*, not '{number}'")
       for number in ("-1", "0.5", "nan", "inf", "x")],

@@ -254,6 +254,12 @@ def test_correlation_of_an_ideal_gas(rng):
     assert found.uncorrelated[-1] > 500
     with pytest.raises(ValueError, match="needs a cell"):
         _statistics.correlation(pypw85.System(system.centers, system.q))
+    with pytest.raises(ValueError, match="correlation: the system must have particles"):
+        _statistics.correlation(pypw85.System(np.empty((0, 3)), np.empty((0, 6)), np.eye(3)))
+    with pytest.raises(ValueError, match="correlation: reach must be"):
+        _statistics.correlation(system, 0)
+    with pytest.raises(ValueError, match="correlation: bins must be"):
+        _statistics.correlation(system, 1.5, 0)
 
 
 def test_compressibility_of_a_cubic_density():

@@ -304,7 +304,8 @@ def test_one_particle_for_lammps(tmp_path):
     for suffix in ("dump", "data"):
         with pytest.warns(UserWarning, match="say so where it is read .--dimensions 2"):
             pypw85.write(tmp_path / f"a.{suffix}", system)
-        with pytest.warns(UserWarning):
+        with warnings.catch_warnings():  # the user says it: no warning says it again
+            warnings.filterwarnings("error", message="the system is taken as")
             assert pypw85.read(tmp_path / f"a.{suffix}", dimensions=2).dimensions == 2
 
 
@@ -341,8 +342,12 @@ REFUSED = {
     "x,y,z,a,b,c,angle_deg\n1,2,0,3,1,1,30": "angle_deg may be the angle of ellipses in a plane, or a rotation in space",
     "x,y,a,b,orientation\n1,2,3,1,1": "orientation may be counted from the axis x or from y: use --angle-zero",
     "# dimensions 2\nx,y,z,a,b,angle_deg\n1,2,0,3,1,30\n1,2,1,3,1,30": "several z|do not lie in one plane",
-    "# dimensions 4\nx,y,radius\n1,2,3": "'dimensions' must be 2 or 3, not 4",
-    "# dimensions 2\nx,y,z,a,b,c,qw,qx,qy,qz\n1,2,0,3,2,1,0.96,0.28,0,0": "turned out of it: the file says",
+    "# dimensions 4\nx,y,radius\n1,2,3": "line 1: the comment '# dimensions' must be followed by 2 or 3, .*, not by '4'",
+    "# an image\n# dimensions 10 x 10\nx,y,radius\n1,2,3": "line 2: the comment '# dimensions' .* not by '10 x 10': correct it, or reword",
+    "# origin 1 2\nx,y,radius\n1,2,3": "the comments '# origin' and '# periodic' have two values, which need '# cell' and four numbers",
+    "# origin 10 um\nx,y,radius\n1,2,3": "line 1: the comment '# origin' must be followed by three numbers, the corner of the cell",
+    "# cell 10 10 10\nx,y,radius\n1,2,3": "line 1: the comment '# cell' must be followed by nine numbers, the three vectors of the cell",
+    "# dimensions 2\nx,y,z,a,b,c,qw,qx,qy,qz\n1,2,0,3,2,1,0.96,0.28,0,0": "rotated out of it: the file says",
     "# dimensions 2\n# cell 1 0 1 0 1 0 0 0 1\nx,y,z,radius\n1,2,0,3": "the first two vectors of the cell do not lie in the plane",
 }
 

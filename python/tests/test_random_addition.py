@@ -173,10 +173,10 @@ def test_command(run, tmp_path, monkeypatch):
     assert done.status == 0
     for arguments, reason in (
         (["--rsa", *plane], "--rsa needs --cell, or -n and --fraction"),
-        (["--rsa", *plane, "--cell", "20,20", "-n", 3], "--rsa needs --cell, or -n and --fraction"),
+        (["--rsa", *plane, "--cell", "20,20", "-n", 3], "with --rsa, -n also needs --fraction"),
         (["--rsa", *plane, "--cell", "20,20", "--spread", 0.1], "--spread has no effect with --rsa"),
         (["--rsa", *plane, "--cell", "20,20,20"], "--cell must have 2 or 4 numbers with --dimensions 2"),
-        (["--rsa", "--axes", "1,2", "--cell", "20,20,20"], "--axes must have 3 numbers with --dimensions 3"),
+        (["--rsa", "--axes", "1,2", "--cell", "20,20,20"], "--axes must have 3 numbers, not 2: add the third one, or --dimensions 2"),
         (["--rsa", *plane, "--cell", "20,20", "--voxels", "a.vtk"], "--voxels is not supported for ellipses"),
         (["--rsa", "--axes", "1,1,2", "--cell", "20,20,20"],
          "--rsa can prove saturation of ellipses and balls only, not of other ellipsoids: use --attempts, --seconds, or -n with"),

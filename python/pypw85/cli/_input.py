@@ -31,6 +31,7 @@ from ..formats._errors import names_of_option
 from ..formats._frames import ANGLES, LENGTHS, ORDERS, SCALES
 from .._rotations import SEQUENCES, is_sequence
 from .._system import System
+from .._words import counted
 from ._progress import say
 
 
@@ -203,62 +204,81 @@ class Frames(click.ParamType):
         return chosen
 
 
+class _ReadingOption(click.Option):
+    """An option that says how a file is read."""
+
+
+class _Command(click.Command):
+    """A command whose help lists its own options first, and then those that say how the file is read."""
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        for title, is_reading in (("Options", False), ("Options for reading the input file", True)):
+            records = [one.get_help_record(ctx) for one in self.get_params(ctx) if isinstance(one, _ReadingOption) == is_reading]
+            if rows := [record for record in records if record is not None]:
+                with formatter.section(title):
+                    formatter.write_dl(rows)
+
+
+command = functools.partial(click.command, cls=_Command)
+
 # The value of --points without a type
 _SHAPELESS = ""
 _FILE: Callable[..., Any] = click.argument("file")
+_option = functools.partial(click.option, cls=_ReadingOption)
 _OPTIONS = [
-    click.option("--format", type=click.Choice(READABLE), help="Format of FILE. Default: recognised from its content."),
-    click.option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
-                 help="One frame (0: the first, -1: the last), or a slice as in Python: every STEP-th frame from START up to, but not "
-                      "including, STOP. Default: all."),
-    click.option("--lengths", type=click.Choice(LENGTHS),
-                 help="Meaning of the lengths. By default the names of the columns decide; otherwise lengths are diameters in "
-                      "files of LAMMPS, and radii (semi-axes) in others. An RMS length is the standard deviation of a uniform body "
-                      "along an axis."),
-    click.option("--quaternion", type=click.Choice(ORDERS),
-                 help="Order of the components of quaternions. By default the names of the columns decide; otherwise the order is "
-                      "xyzw in extended XYZ, and wxyz in other formats."),
-    click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
-                 help="The cell: three edges A,B,C, or nine numbers for the three vectors."),
-    click.option("--periodic", type=click.Choice(["none", "a", "b", "c", "ab", "ac", "bc", "abc"]),
-                 help="The cell vectors along which the system is periodic."),
-    click.option("--shape", type=Shape(), multiple=True, metavar="[TYPE:]A,B,C",
-                 help="Lengths of the particles that have no shape in the file: of one type, or of all types ('*:A,B,C'). TYPE may be "
-                      "omitted if these particles have one type. May be repeated."),
-    click.option("--shape-columns", metavar="A,B,C",
-                 help="Columns of a dump, CSV or XYZ file that contain the lengths: three, two for ellipses, one for spheres. The "
-                      "components of a property are NAME[1], NAME[2] and so on."),
-    click.option("--quaternion-columns", metavar="A,B,C,D", help="Columns that contain the quaternion, in the order of --quaternion."),
-    click.option("--dimensions", type=click.Choice(["2", "3"]),
-                 help="2 for ellipses in a plane z = constant, 3 for ellipsoids. By default the file decides."),
-    click.option("--angle", type=click.Choice(ANGLES),
-                 help="Unit of angles. By default the names of the columns decide."),
-    click.option("--convention", type=click.Choice([*CONVENTION_NAMES, NONE]), metavar="NAME",
-                 help=f"The program that wrote a table: {', '.join(CONVENTION_NAMES)}. By default the names of the columns decide; with "
-                      f"{NONE} only the names of the columns matter."),
-    click.option("--euler", type=EulerSequence(), metavar="SEQUENCE",
-                 help="Axes of the Euler angles, in the order of the angles: zyx for fixed axes, ZYX for axes that rotate with the body."),
-    click.option("--angle-columns", metavar="A,...",
-                 help="Columns of the Euler angles, in the order of --euler; or the column of the angle of ellipses."),
-    click.option("--angle-zero", type=click.Choice(["x", "y"]),
-                 help="Axis at which the angle of an ellipse is 0. Default: x."),
-    click.option("--angle-sense", type=click.Choice(["xy", "yx"]),
-                 help="Positive sense of the angles of ellipses: from x towards y (xy), or from y towards x (yx), which is "
-                      "counterclockwise in a picture whose y axis points down. Default: xy."),
-    click.option("--polar", metavar="A,B",
-                 help="Columns of the polar angle A (from z) and the azimuth B (about z, from x) of an axis of revolution."),
-    click.option("--direction-columns", metavar="A,B,C", help="Columns of the direction of an axis of revolution."),
-    click.option("--ignore-columns", metavar="A,...", help="Columns to ignore."),
-    click.option("--points", is_flag=False, flag_value=_SHAPELESS, metavar="[TYPE,...]",
-                 help="Types of particles that are points: they are ignored. Without TYPE, all particles without a shape are points."),
-    click.option("--sigma", type=Finite(), metavar="NUMBER",
-                 help="For splats: length of the semi-axes, in standard deviations. Default: 1."),
-    click.option("--scales", type=click.Choice(SCALES),
-                 help="For splats: meaning of the scales in the file, logarithms of lengths or lengths."),
-    click.option("--strict", is_flag=True,
-                 help="For splats: refuse a file with splats that are too flat, instead of enlarging their semi-axes."),
-    click.option("--spacing", type=Numbers(1, 2, 3, positive=True), metavar="NUMBER,...",
-                 help="For a labelled image: the distance between pixels, one number for all dimensions or one for each. Default: 1."),
+    _option("--format", type=click.Choice(READABLE), help="Format of the file. Default: recognised from its content."),
+    _option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
+            help="One frame (0: the first, -1: the last), or a slice as in Python: every STEP-th frame from START up to, but not "
+                 "including, STOP. Default: all."),
+    _option("--lengths", type=click.Choice(LENGTHS),
+            help="Meaning of the three lengths of a particle: radii (semi-axes), diameters, or rms (the standard deviation of the points "
+                 "of a uniform body along an axis). By default the names of the columns decide; otherwise lengths are diameters in "
+                 "files of LAMMPS, and radii in others."),
+    _option("--quaternion", type=click.Choice(ORDERS),
+            help="Order of the components of quaternions. By default the names of the columns decide; otherwise the order is "
+                 "xyzw in extended XYZ, and wxyz in other formats."),
+    _option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
+            help="The cell, if the file has none or another one: three edges A,B,C of a rectangular cell, or nine numbers, the three "
+                 "cell vectors a, b, c one after the other."),
+    _option("--periodic", type=click.Choice(["none", "a", "b", "c", "ab", "ac", "bc", "abc"]),
+            help="The cell vectors along which the system is periodic. By default the file decides; otherwise all of them."),
+    _option("--shape", type=Shape(), multiple=True, metavar="[TYPE:]A,B,C",
+            help="Lengths of the particles that have no shape in the file: of one type, or of all types ('*:A,B,C'). TYPE may be "
+                 "omitted if these particles have one type. May be repeated."),
+    _option("--shape-columns", metavar="A,B,C",
+            help="Columns of a dump, CSV or XYZ file that contain the lengths: three, two for ellipses, one for spheres. The "
+                 "components of a property are NAME[1], NAME[2] and so on."),
+    _option("--quaternion-columns", metavar="A,B,C,D", help="Columns that contain the quaternion, in the order of --quaternion."),
+    _option("--dimensions", type=click.Choice(["2", "3"]),
+            help="2 for ellipses in a plane z = constant, 3 for ellipsoids. By default the file decides."),
+    _option("--angle", type=click.Choice(ANGLES),
+            help="Unit of the angles. By default the names of the columns decide."),
+    _option("--convention", type=click.Choice([*CONVENTION_NAMES, NONE]), metavar="NAME",
+            help=f"The program that wrote a table, which fixes the meaning of all columns: {', '.join(CONVENTION_NAMES)}. By default the "
+                 f"program is recognised by the names of the columns; {NONE}: no program, each column is read by its own name."),
+    _option("--euler", type=EulerSequence(), metavar="SEQUENCE",
+            help="Axes of the Euler angles, in the order of the angles: zyx for fixed axes, ZYX for axes that rotate with the body."),
+    _option("--angle-columns", metavar="A,...",
+            help="Columns of the Euler angles, in the order of --euler; or, without --euler, the column of the angle of ellipses."),
+    _option("--angle-zero", type=click.Choice(["x", "y"]),
+            help="Axis at which the angle of an ellipse is 0. Default: x."),
+    _option("--angle-sense", type=click.Choice(["xy", "yx"]),
+            help="Positive sense of the angles of ellipses: from x towards y (xy), or from y towards x (yx), which is "
+                 "counterclockwise in a picture whose y axis points down. Default: xy."),
+    _option("--polar", metavar="A,B",
+            help="Columns of the polar angle A (from z) and the azimuth B (about z, from x) of an axis of revolution."),
+    _option("--direction-columns", metavar="A,B,C", help="Columns of the direction of an axis of revolution."),
+    _option("--ignore-columns", metavar="A,...", help="Columns to ignore, as if the file did not have them."),
+    _option("--points", is_flag=False, flag_value=_SHAPELESS, metavar="[TYPE,...]",
+            help="Types of particles that are points, and are left out. Without TYPE, all particles without a shape are points."),
+    _option("--sigma", type=Finite(), metavar="NUMBER",
+            help="For splats: length of the semi-axes, in standard deviations. Default: 1."),
+    _option("--scales", type=click.Choice(SCALES),
+            help="For splats: meaning of the scales in the file: logarithms of lengths (log), or lengths (linear)."),
+    _option("--strict", is_flag=True,
+            help="For splats: refuse a file with splats that are too flat, instead of enlarging their semi-axes."),
+    _option("--spacing", type=Numbers(1, 2, 3, positive=True), metavar="NUMBER,...",
+            help="For a labelled image: the distance between pixels, one number for all dimensions or one for each. Default: 1."),
 ]  # fmt: skip
 
 
@@ -284,7 +304,9 @@ def _options(points: str | None, *, cell: Any, periodic: str | None, shape: Any,
         spacing=spacing[0] if spacing is not None and len(spacing) == 1 else spacing, euler=euler,
         shape_columns=_names(shape_columns, 3, "--shape-columns", least=1),
         quaternion_columns=_names(quaternion_columns, 4, "--quaternion-columns"),
-        angle_columns=_names(angle_columns, len(euler or "z"), "--angle-columns"), polar=_names(polar, 2, "--polar"),
+        angle_columns=_names(angle_columns, len(euler or "z"), "--angle-columns",
+                             hint=": one for each letter of --euler" if euler else ": use --euler for more than one angle"),
+        polar=_names(polar, 2, "--polar"),
         direction_columns=_names(direction_columns, 3, "--direction-columns"),
         ignore_columns=None if ignore_columns is None else names_of_option(ignore_columns), **others,
     )  # fmt: skip
@@ -335,6 +357,8 @@ def refuse_idle(needed: Mapping[str, Sequence[str]]) -> None:
     options = {param.name: param.opts[0] for param in ctx.command.params}
     for name in needed:
         if name in given and not any(ctx.params[other] for other in needed[name]):
+            if zero := [given[other] for other in needed[name] if other in given]:
+                raise click.UsageError(f"{given[name]} has no effect with {zero[0]} 0: leave out one of both")
             others = " or ".join(options[other] for other in needed[name])
             raise click.UsageError(f"{given[name]} has no effect without {others}: add {others}, or leave out {given[name]}")
 
@@ -365,9 +389,9 @@ def one_frame(given: Input, stream: TextIO | None = None) -> System:
     return system
 
 
-def _names(text: str | None, count: int, option: str, least: int | None = None) -> list[str] | None:
-    """Names of `least` to `count` columns; of `count` if `least` is absent."""
+def _names(text: str | None, count: int, option: str, least: int | None = None, hint: str = "") -> list[str] | None:
+    """Names of `least` to `count` columns; of `count` if `least` is absent. The message ends with `hint`."""
     names = None if text is None else names_of_option(text)
     if names is not None and not (least or count) <= len(names) <= count:
-        raise click.UsageError(f"{option} must name {f'{least} to ' if least else ''}{count} columns")
+        raise click.UsageError(f"{option} must name {f'{least} to ' if least else ''}{counted(count, 'column')}, not {len(names)}{hint}")
     return names

@@ -43,12 +43,12 @@ _FORMAT = 1
 # Part of the sweeps in the first of the windows of an equilibration, whose four windows have at most 15 times as many
 _FIRST_WINDOW = 1 / 16
 # Free paths of an event chain
-_PATHS = 50
-# Sweeps between two samples, and trials for each event chain; and both in dense systems, where Z is at least _DENSE (docs/montecarlo.rst,
+PATHS = 50
+# Sweeps between two samples, and trials for each event chain; and both in dense systems, where Z is at least DENSE (docs/montecarlo.rst,
 # "Samples and their cost"). python/bench/measure_samples.py measures the errors of the pressure by these and by others.
-_EVERY, _TRIALS_PER_CHAIN = 10, 250
-_EVERY_OF_DENSE, _TRIALS_PER_CHAIN_OF_DENSE = 20, 1000
-_DENSE = 22
+EVERY, TRIALS_PER_CHAIN = 10, 250
+EVERY_OF_DENSE, TRIALS_PER_CHAIN_OF_DENSE = 20, 1000
+DENSE = 22
 # The longest free path over the longest semi-axis: an event chain continues from there as from a contact.
 _LONGEST_PATH = 1 / 4
 # The mean separation along the direction of a chain of two spheres, or discs, that touch, over the sum of their radii: contacts are
@@ -111,7 +111,7 @@ def usual_sampling(simulation: HardEllipsoids, every: int = 0) -> Sampling:
     cell: Any = simulation.cell
     compressibility = simulation.chain(1, usual_length(cell, simulation.dimensions))
     excess = max(compressibility - 1, 0.0) if np.isfinite(compressibility) else 0.0  # NaN where own images may touch
-    usual = (_EVERY_OF_DENSE, _TRIALS_PER_CHAIN_OF_DENSE) if excess + 1 >= _DENSE else (_EVERY, _TRIALS_PER_CHAIN)
+    usual = (EVERY_OF_DENSE, TRIALS_PER_CHAIN_OF_DENSE) if excess + 1 >= DENSE else (EVERY, TRIALS_PER_CHAIN)
     every = every or usual[0]
     return Sampling(every, max(1, round(len(simulation) * every / usual[1])), _usual_chain_length(simulation, excess))
 
@@ -125,7 +125,7 @@ def _usual_chain_length(simulation: HardEllipsoids, excess: float) -> float:
     dimensions = simulation.dimensions
     semi_axes = simulation.semi_axes[:, :dimensions]
     transfer = _MEAN_TRANSFER[dimensions] * 2 * float(np.mean(semi_axes.prod(axis=1)) ** (1 / dimensions))
-    return float(_PATHS / (excess / transfer + 1 / (_LONGEST_PATH * float(semi_axes.max()))))
+    return float(PATHS / (excess / transfer + 1 / (_LONGEST_PATH * float(semi_axes.max()))))
 
 
 class _GrowingText:
@@ -235,7 +235,7 @@ class Run:
         """Puts what is usual in the present state where the settings say nothing."""
         begin = time.perf_counter()
         settings = self.settings
-        usual = Sampling(_EVERY, 0, None) if settings.chains == 0 else usual_sampling(self.simulation, settings.every)
+        usual = Sampling(EVERY, 0, None) if settings.chains == 0 else usual_sampling(self.simulation, settings.every)
         self.settings = settings = settings._replace(
             every=settings.every or usual.every,
             chains=usual.chains if settings.chains is None else settings.chains,

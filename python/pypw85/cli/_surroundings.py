@@ -140,6 +140,16 @@ def refuse_idle_fields(path: str, dimensions: int, fields: Iterable[Surrounding]
             raise FileError(path, f"--field {field.text}: has no effect on ellipses, whose axis 2 is along z: append the AXIS 0 or 1")
 
 
+_IN_ALL_IMAGES = "must be the same in all images of the cell"
+
+
+def _in_words_of_options(detail: str, one: Surrounding) -> str:
+    """The cause of an error, without the Python object that the user did not write, and with what helps."""
+    if detail.startswith(_IN_ALL_IMAGES):
+        return f"{_IN_ALL_IMAGES}: change its numbers, or name only the cell vectors along which it does not change (--periodic)"
+    return detail.removesuffix(f", not {one.made}")
+
+
 def surround(path: str, ids: Any, simulation: HardEllipsoids, walls: Iterable[Surrounding], fields: Iterable[Surrounding]) -> None:
     """Sets walls and fields. Raises FileError with the first one that the simulation of a file cannot have."""
     both: list[tuple[str, Iterable[Surrounding], Callable[..., None]]] = [
@@ -151,5 +161,5 @@ def surround(path: str, ids: Any, simulation: HardEllipsoids, walls: Iterable[Su
             try:
                 set_all([one.made])
             except PW85Error as error:
-                raise FileError(path, f"{option} {one.text}: {error.detail}") from None
+                raise FileError(path, f"{option} {one.text}: {_in_words_of_options(error.detail, one)}") from None
         set_all([one.made for one in given])

@@ -19,23 +19,25 @@ from .._statistics import director, nematic_order, tetratic_order
 from .._system import System
 from .._words import counted
 from ..formats import STANDARD_OUTPUT, FileError, Location
-from ._input import Finite, Input, check_outputs, input_options, refuse_idle
+from ._input import Finite, Input, WholeNumber, check_outputs, command, input_options, refuse_idle
 from ._interruption import shield_processes
 from ._progress import progress, say
 from ._reports import Found, csv_report, hdf5_report, json_report
 
 
-@click.command(short_help="Find the ellipsoids of a file that overlap.")
+@command(short_help="Find the ellipsoids of a file that overlap.")
 @input_options
-@click.option("--worst", type=click.IntRange(0), default=10, show_default=True,
-              help="Number of pairs to print: the pairs with the smallest μ.")
+@click.option("--worst", type=WholeNumber(0), default=10, show_default=True, metavar="N",
+              help="Number of pairs to print: those with the smallest μ. μ is the factor by which both ellipsoids must be scaled to touch.")
 @click.option("--below", type=Finite(), default="1.0", show_default=True,
+              metavar="μ",
               help="Pairs to write to the files of --csv, --json and --hdf5: all with μ below this number. 1 means those that overlap.")
 @click.option("--csv", "csv_path", metavar="FILE", help="Write these pairs as a table; - means the standard output.")
 @click.option("--json", "json_path", metavar="FILE", help="Write these pairs, and what is printed, as JSON; - means the standard output.")
 @click.option("--hdf5", "hdf5_path", metavar="FILE", help="Write these pairs, and what is printed, as HDF5.")
-@click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="Number of processes that share the frames.")
-@click.option("--varying", is_flag=True, help="The number of particles may change from frame to frame.")
+@click.option("--workers", type=WholeNumber(), default=1, show_default=True, metavar="N",
+              help="Number of processes that share the frames. More than one needs the Python package dask.")
+@click.option("--varying", is_flag=True, help="Allow that the number of particles changes from frame to frame.")
 def check(given: Input, worst: int, below: float, csv_path: str | None, json_path: str | None,
           hdf5_path: str | None, workers: int, varying: bool) -> int:  # fmt: skip
     """Find the ellipsoids of FILE that overlap. The exit status is 0 if none overlap, 1 if some overlap, and 2 if the input is invalid."""

@@ -9,24 +9,30 @@ import click
 
 from .._drawing import COLOURINGS, check_picture, is_page
 from ..formats import refuse_standard_output
-from ._input import Angle, Input, check_outputs, input_options, one_frame, refuse_given
+from ._input import Angle, Input, WholeNumber, check_outputs, command, input_options, one_frame, refuse_given
 from ._progress import progress
 
 
-@click.command(short_help="Draw one frame of a file.")
+@command(short_help="Draw one frame of a file.")
 @input_options
 @click.argument("picture")
 @click.option("--contacts", is_flag=True, help="Mark the contact points of overlapping pairs.")
 @click.option("--color", type=click.Choice(COLOURINGS), default="overlaps", show_default=True,
-              help="Meaning of the colours. With orientation, the components of the main axes along x, y and z are red, green and blue.")
-@click.option("--elevation", type=Angle(), default=20, show_default=True, help="Angle of view above the plane xy, in degrees.")
-@click.option("--azimuth", type=Angle(), default=-60, show_default=True, help="Angle of view around z, in degrees.")
-@click.option("--size", type=click.IntRange(50, 20000), default=1200, show_default=True, help="Pixels of the longer side.")
+              help="Meaning of the colours. overlaps: ellipsoids that overlap are red. orientation: red, green and blue are the x, y and z "
+                   "components of the main axis of each ellipsoid. type: a colour for each type.")
+@click.option("--elevation", type=Angle(), default=20, show_default=True, metavar="DEGREES",
+              help="Angle of view above the plane xy.")
+@click.option("--azimuth", type=Angle(), default=-60, show_default=True, metavar="DEGREES",
+              help="Angle of view around z.")
+@click.option("--size", type=WholeNumber(50, 20000), default=1200, show_default=True, metavar="PIXELS",
+              help="Length of the longer side of the picture.")
 def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: float, size: int, color: str) -> int:
-    """Draw the first chosen frame of FILE. The name of PICTURE ends with .png, .pdf or .svg, or with .html: a page in which you can
-    rotate the system, in any browser and without a network. Overlapping ellipsoids are red, unless --color says
-    otherwise. Centres are drawn within the cell. An arrow shows the director if the nematic order is 0.2 or more. The colours of ellipses
-    in a plane show their angles, and ellipses that overlap have red edges; images across the borders of the cell are drawn, too."""
+    """Draw the first chosen frame of FILE. The extension of PICTURE selects its format: a picture (.png, .pdf, .svg), or a page (.html) in
+    which you can rotate the system, in any browser and without a network.
+
+    Along periodic cell vectors, centres are moved into the cell. An arrow shows the director if the nematic order is 0.2 or more. Ellipses
+    in a plane are seen from above, without --color, --elevation and --azimuth: their colours show their angles, and ellipses that overlap
+    have red edges. Their images across the borders of the cell are drawn, too."""
     refuse_standard_output(picture, "the end of a name says the format of a picture")
     check_picture(picture)
     check_outputs(given, picture)

@@ -16,16 +16,28 @@ import numpy as np
 
 from .. import _core
 from .._blocking import LEAST_INDEPENDENT
-from .._observables import Observables
+from .._observables import MOST_BINS, Observables
 from .._simulations import HardEllipsoids, is_bulk, name_pairs
 from .._statistics import pair_correlation
 from .._system import UNIT_BALL, System
 from .._words import counted
 from ..formats import FORMATS, FileError, check_output, check_storable, refuse_standard_output
-from ._input import Finite, Input, WholeNumber, given_options, input_options, one_frame, refuse_given, refuse_idle
+from ._input import Finite, Input, WholeNumber, command, given_options, input_options, one_frame, refuse_given, refuse_idle
 from ._interruption import keeping_work
 from ._progress import progress, say
-from ._runs import ACCEPTANCE, Run, Settings, locked, resume
+from ._runs import (
+    ACCEPTANCE,
+    DENSE,
+    EVERY,
+    EVERY_OF_DENSE,
+    PATHS,
+    TRIALS_PER_CHAIN,
+    TRIALS_PER_CHAIN_OF_DENSE,
+    Run,
+    Settings,
+    locked,
+    resume,
+)
 from ._surroundings import FIELD, LAW, WALL, Surrounding, refuse_idle_fields, set_law, surround
 
 _START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
@@ -40,64 +52,79 @@ _NEEDED = {
 MOST_THREADS = 1024
 
 
-@click.command(short_help="Move hard ellipsoids by Monte Carlo, and print averages with errors.")
+@command(short_help="Move hard ellipsoids by Monte Carlo, and print averages with errors.")
 @_START
 @click.option("--sweeps", type=WholeNumber(), metavar="N",
-              help="Number of sweeps, such as 1e5. A sweep is one trial move per particle on average.")
+              help="Number of sweeps of the run, such as 1e5. A sweep has as many trial moves as there are particles.")
 @click.option("--out", metavar="FILE",
-              help="File of the run. If its name ends with .h5, it contains averages, samples and checkpoint. If its name ends with "
-                   ".csv, it contains the samples as a table, and FILE.h5 the rest.")
+              help="Write the run to this file, which must not exist. NAME.h5 contains the averages, the samples and the checkpoint. "
+                   "With NAME.csv the samples are in this table, and the rest is in NAME.csv.h5.")
 @click.option("--pressure", type=Finite(), metavar="P",
-              help="Reduced pressure βP = P/(k_B T), in the inverse cube of the unit of length (in two dimensions, the inverse "
-                   "square). Without this option the volume is constant.")
+              help="Constant reduced pressure βP = P/(k_B T), in the inverse cube of the unit of length of START (in two dimensions, "
+                   "the inverse square). Without this option the volume is constant.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
-              help="How volume moves change the cell: all axes by one factor, one axis, or one axis or a shear. Use axis and triclinic for "
-                   "crystals only: in a fluid the cell becomes longer and thinner without limit.")
+              help="With --pressure: what a volume move does to the cell. isotropic: it scales all axes by the same factor; axis: it "
+                   "scales one axis; triclinic: it scales one axis or shears the cell. Use axis and triclinic only for crystals: in a "
+                   "fluid the cell becomes longer and thinner without limit.")
 @click.option("--volume-trials", type=WholeNumber(), default=1, show_default=True, metavar="N",
-              help="Number of volume moves after each sweep.")
-@click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
-              help="Fraction of the trials that exchange the semi-axes of two particles of different species.")
+              help="With --pressure: number of volume moves after each sweep.")
+@click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="FRACTION",
+              help="For mixtures: fraction of the trial moves that exchange the semi-axes of two particles of different species.")
 @click.option("--wall", "walls", type=WALL, multiple=True, metavar="KIND:NUMBER,...",
-              help=f"A hard wall: {WALL.forms()}. A plane is a wall that fills N·x > OFFSET. Particles are inside the other "
-                   "walls. May be repeated.")
+              help=f"A hard wall: {WALL.forms()}. A plane fills the half-space N·x > OFFSET, and particles are on the other side. "
+                   "A cylinder is infinitely long, and has the axis AX,AY,AZ through the point X,Y,Z. A box has the corners LX,LY,LZ and "
+                   "UX,UY,UZ. Particles are inside spheres, cylinders and boxes. A wall must be parallel to all periodic cell vectors: see "
+                   "--periodic. May be repeated.")
 @click.option("--field", "fields", type=FIELD, multiple=True, metavar="KIND:NUMBER,...",
-              help=f"A field, with energies in units of kT: {FIELD.forms()}. May be repeated.")
+              help=f"An external field: {FIELD.forms()}. The energy U of a particle of volume V with the centre r is, in units of kT, G·r "
+                   "(linear); V G·r (weight); Σ K (r - X)²/2 over x, y and z (harmonic); -STRENGTH (3 cos²θ - 1)/2 with the angle θ "
+                   "between D and the principal axis AXIS, 0, 1 or 2 (aligning; default: 2). A field must not change along the "
+                   "periodic cell vectors: see --periodic. May be repeated.")
 @click.option("--law", type=LAW, metavar="KIND:...",
-              help="Pair potential U outside the hard cores, in units of kT. powers:A,N,B,M,MU2_MAX is A μ^-N - B μ^-M minus its "
-                   "value at the cutoff MU2_MAX. table:FILE has lines of μ², U and dU/dμ²; U is 0 from the last line on.")
+              help="Pair potential U(μ) outside the hard cores, in units of kT; μ is 1 at contact. powers:A,N,B,M,MU2_MAX: U is "
+                   "A μ^-N - B μ^-M minus its value at the cutoff μ² = MU2_MAX, and 0 beyond it. table:FILE: each line of FILE has "
+                   "three numbers, μ², U and dU/dμ², with equal steps of μ²; U is 0 beyond the last line.")
 @click.option("--equilibrate", type=WholeNumber(0), metavar="N",
-              help="Number of sweeps before the first sample, in addition to --sweeps; they tune the step sizes. By default they end "
-                   "as soon as no average drifts, and at the latest after 15/16 of --sweeps.")
-@click.option("--every", type=WholeNumber(), metavar="N", help="Number of sweeps between two samples. Default: 10, in dense systems 20.")
+              help="Number of sweeps before the run, in addition to --sweeps. They bring the system to equilibrium and tune the step "
+                   "sizes, and do not count for averages. By default they end as soon as no average drifts, and at the latest after "
+                   "15/16 of --sweeps.")
+@click.option("--every", type=WholeNumber(), metavar="N",
+              help=f"Number of sweeps between two samples. Default: {EVERY}, or {EVERY_OF_DENSE} in dense systems (βP/ρ >= {DENSE}).")
 @click.option("--chains", type=WholeNumber(0), metavar="N",
-              help="Number of event chains at each sample. Default: one for every 250 trials between two samples, in dense systems for "
-                   "every 1000, and none with walls, fields or a law, which event chains do not support.")
+              help="Number of event chains at each sample, from which the pressure is computed; 0: none. Default: one for every "
+                   f"{TRIALS_PER_CHAIN} trial moves between two samples, or for every {TRIALS_PER_CHAIN_OF_DENSE} in dense systems; none "
+                   "with --wall, --field or --law, which event chains do not support.")
 @click.option("--chain-length", type=Finite(), metavar="L",
-              help="Length of each event chain: the sum of its displacements. Default: a length with about fifty contacts.")
+              help=f"Length of each event chain: the sum of its displacements. Default: a length with about {PATHS} collisions.")
 @click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Seed of the random numbers.")
 @click.option("--width", type=Finite(most=1.0), default="0.1", show_default=True,
-              help="Width of the interval of μ - 1 from which the pressure is extrapolated; at most 1.")
+              metavar="NUMBER",
+              help="The pressure from contacts is extrapolated from the pairs with μ - 1 below this number, at most 1.")
 @click.option("--reach", type=Finite(may_be_zero=True), default="0", show_default=True,
-              help="Largest distance of the pair correlation; 0: no pair correlation.")
-@click.option("--bins", type=WholeNumber(), default=50, show_default=True, help="Number of bins of the pair correlation.")
-@click.option("--trajectory", metavar="FILE", help="Also write configurations to this file (.gsd, .xyz or .dump).")
+              metavar="DISTANCE",
+              help="Largest distance of the pair correlation g(r), which is written to the file of the run; 0: no pair correlation.")
+@click.option("--bins", type=WholeNumber(most=MOST_BINS), default=50, show_default=True, metavar="N",
+              help="With --reach: number of bins of the pair correlation.")
+@click.option("--trajectory", metavar="FILE", help="Also write configurations to this file, which must not exist (.gsd, .xyz or .dump).")
 @click.option("--trajectory-every", type=WholeNumber(), default="1000", show_default=True, metavar="N",
               help="Number of sweeps between two configurations of --trajectory.")
 @click.option("--precision", type=click.Choice(["single", "double"]), default="double", show_default=True,
-              help="Precision of a trajectory in GSD. Double needs a newer schema, which gsd.fl reads, but gsd.hoomd may refuse.")
+              help="Precision of a trajectory in GSD. HOOMD-blue reads double precision since version 7; its Python module gsd.hoomd "
+                   "may refuse it, gsd.fl does not.")
 @click.option("--checkpoint", type=Finite(may_be_zero=True), default="60", show_default=True, metavar="SECONDS",
-              help="Time between two checkpoints.")
+              help="Time between two checkpoints, from which --resume continues an interrupted run.")
 @click.option("--threads", type=WholeNumber(most=MOST_THREADS), help="Number of threads. It does not change the results.")
 @click.option("--resume", "resumed", metavar="FILE",
               help="Continue the run of this file. --sweeps, if given, is the new total number of sweeps.")
 @click.pass_context
 def mc(ctx: click.Context, /, given: Input | None, sweeps: int | None, checkpoint: float, threads: int | None,
        resumed: str | None, **others: Any) -> int:  # fmt: skip
-    """Move hard ellipsoids by Monte Carlo, and print averages with their errors. The run starts from the first chosen frame of START,
-    which must have no overlaps. In two dimensions ellipses move in their plane, and areas replace volumes.
+    """Simulate hard ellipsoids by Monte Carlo, and print averages with their standard errors. The run starts from the first chosen frame
+    of START, which must have no overlaps (pw85 pack and pw85 relax write such files). In two dimensions ellipses move in their plane, and
+    areas replace volumes.
 
-    After Ctrl-C the command finishes the sweep, writes a checkpoint, and ends with status 130. A run that --resume continues is
-    bitwise equal to an uninterrupted run.
+    A new run needs START, --sweeps and --out. After Ctrl-C the command finishes the sweep, writes a checkpoint, and ends with status 130.
+    Then --resume continues the run. The result is bitwise equal to that of an uninterrupted run.
     """
     if threads is not None:
         _core.set_num_threads(threads)
@@ -253,7 +280,7 @@ def _growing_format(trajectory: str) -> str:
 def _refuse_existing(name: str | None) -> None:
     """No file is replaced: a run may have taken weeks."""
     if name is not None and os.path.lexists(check_output(name).path):
-        raise FileError(name, "is there already: continue it (--resume), or name another file")
+        raise FileError(name, "exists already: continue it (--resume), or name another file")
 
 
 def _refuse_averages_of_bulk(system: System, **options: float | None) -> None:
@@ -453,7 +480,7 @@ def _doubts(run: Run) -> Iterator[str]:
         yield "there is no pressure from chains: a particle could touch its own image, which chains do not see"
     bias = averages.get("contacts_bias")
     if bias is not None and abs(bias.value) > max(_LARGEST_BIAS * bias.error, averages["compressibility_contacts"].error):
-        yield f"the width biases compressibility_contacts by some {bias.value:.2g}: choose a smaller one (--width)"
+        yield f"the width biases compressibility_contacts by about {bias.value:.2g}: choose a smaller one (--width)"
     elif bias is not None and bias.value == 0:
         yield "no pair was within the width: choose a larger one (--width)"
     if run.settings.pressure is not None and run.is_stretched:

@@ -23,7 +23,7 @@ from .._system import UNIT_BALL, System
 from .._voxels import MOST_VOXELS, check_voxels_name, save_voxels
 from .._words import counted
 from ..formats import WRITABLE, FileError, check_written_name, write
-from ._input import Finite, Input, Numbers, WholeNumber, check_outputs, input_options, refuse_given, refuse_idle
+from ._input import Finite, Input, Numbers, WholeNumber, check_outputs, command, input_options, refuse_given, refuse_idle
 from ._interruption import is_interrupted, keeping_work
 from ._progress import beside, progress, say
 
@@ -39,50 +39,61 @@ class _Axes(Numbers):
         return Numbers(2 if count == 2 else 3, positive=True).convert(value, param, ctx)
 
 
-_steps = click.option("--steps", type=WholeNumber(), default=20000, show_default=True, help="Maximum number of steps.")
-_to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. Default: according to the extension of its name.")
+_steps = click.option("--steps", type=WholeNumber(), default=20000, show_default=True, metavar="N",
+                      help="Maximum number of steps in which overlaps are removed.")
+_to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT. By default the extension of its name decides.")
 
 
 @click.command(short_help="Write a random packing without overlaps, or a lattice.")
 @click.argument("output")
-@click.option("-n", "--number", type=WholeNumber(), help="Number of ellipsoids.")
+@click.option("-n", "--number", type=WholeNumber(), metavar="N", help="Number of ellipsoids.")
 @click.option("--axes", "kinds", type=_Axes(), multiple=True, required=True, metavar="A,B,C",
-              help="Semi-axes A,B,C, or A,B for ellipses. May be repeated for a mixture: the numbers of ellipsoids of the shapes are then "
-                   "equal, up to one.")
+              help="Semi-axes of the ellipsoids, or A,B for ellipses. Repeat the option for a mixture of shapes, with the same number of "
+                   "ellipsoids of each shape (up to one).")
 @click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
-              help="Standard deviation of the natural logarithm of the sizes.")
-@click.option("--fraction", type=Finite(below=1), help="Packing fraction.")
+              metavar="NUMBER",
+              help="Polydispersity: the semi-axes of each ellipsoid are multiplied by one random factor. Its logarithm is normally "
+                   "distributed, with this standard deviation.")
+@click.option("--fraction", type=Finite(below=1), metavar="NUMBER",
+              help="Packing fraction: the volume of all ellipsoids divided by the volume of the cell, > 0 and < 1.")
 @click.option("--cell", type=Numbers(2, 3, 4, 9), metavar="NUMBER,...",
-              help="Shape of the cell, as three edges A,B,C or three vectors (for ellipses A,B or two vectors). It is scaled to obtain the "
-                   "packing fraction. Default: a cube.")
+              help="Shape of the cell: three edges A,B,C, or nine numbers for three vectors (for ellipses two edges, or four numbers). "
+                   "The cell is scaled to obtain the packing fraction. With --rsa and without -n, it is the cell itself. Default: a cube "
+                   "(square).")
 @click.option("--dimensions", type=click.Choice(["2", "3"]), default="3", show_default=True, help="2 for ellipses in a plane.")
 @click.option("--rsa", is_flag=True,
               help="Random sequential addition: insert ellipsoids at random positions, one after the other, until no other one fits.")
-@click.option("--attempts", type=Finite(), help="With --rsa: stop after this number of attempts.")
-@click.option("--seconds", type=Finite(), help="With --rsa: stop after this time, in seconds.")
+@click.option("--attempts", type=WholeNumber(), metavar="N", help="With --rsa: stop after this number of attempts.")
+@click.option("--seconds", type=Finite(), metavar="SECONDS", help="With --rsa: stop after this time.")
 @click.option("--lattice", "kind", type=click.Choice(["fcc", "sc", "stretched"]),
               help="Write parallel ellipsoids on a lattice instead of a random packing: fcc (face-centred cubic), sc (simple cubic), or "
-                   "stretched (an fcc lattice of spheres, stretched along the axes so that the spheres become the ellipsoids).")
-@click.option("--align", type=Numbers(3), metavar="X,Y,Z", help="With --lattice: direction of the main axes. Default: z.")
+                   "stretched (an fcc lattice of spheres, stretched such that the spheres become the ellipsoids).")
+@click.option("--align", type=Numbers(3), metavar="X,Y,Z",
+              help="With --lattice: direction of the long axes of rods, or the short axes of plates. Default: 0,0,1.")
 @click.option("--seed", type=WholeNumber(0), default=0, show_default=True,
               help="Seed of the random numbers. Another seed gives another packing.")
 @click.option("--voxels", metavar="FILE",
-              help="Also write a voxel image to this file (.vtk or .h5). The value of a voxel is the number of its ellipsoid, or 0.")
+              help="Also write a voxel image to this file (.vtk or .h5). The value of a voxel is the number of the ellipsoid at its "
+                   "centre, from 1, or 0.")
 @click.option("--resolution", type=WholeNumber(most=MOST_VOXELS), default=64, show_default=True,
-              help="Voxels along each vector of the cell.")
+              metavar="N",
+              help="With --voxels: number of voxels along each cell vector.")
 @_to
 @_steps
 def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: float | None, cell: Any, seed: int, voxels: str | None,
          resolution: int, to: str | None, steps: int, dimensions: str, rsa: bool, attempts: float | None,
          seconds: float | None, kind: str | None, align: Any) -> int:  # fmt: skip
-    """Write a random periodic packing without overlaps to OUTPUT. With --dimensions 2 it is a packing of ellipses.
+    """Write a random periodic packing of ellipsoids without overlaps to OUTPUT, or one of ellipses with --dimensions 2. The extension of
+    OUTPUT selects its format.
 
-    If overlaps remain after all steps (exit status 1) or after Ctrl-C (exit status 130), OUTPUT contains the best packing that was found.
+    By default -n ellipsoids start at random positions in a cell with the packing fraction --fraction, and a soft repulsion removes the
+    overlaps. If overlaps remain after all steps (exit status 1) or after Ctrl-C (exit status 130), OUTPUT contains the best packing that
+    was found. With --lattice the ellipsoids are parallel and on a lattice.
 
     With --rsa there are two modes. With --cell alone, the cell has this size, in the unit of the semi-axes, and is filled until no
     other ellipsoid fits. With -n and --fraction, these determine the size of the cell, --cell determines only its shape, and -n
-    ellipsoids are inserted. The command prints the number of ellipsoids and the packing fraction that it reached. The exit status is 1
-    if there are fewer than -n ellipsoids, or if --attempts or --seconds ended the addition.
+    ellipsoids are inserted. The command prints the number of ellipsoids and the packing fraction. The exit status is 1 if fewer than -n
+    ellipsoids were inserted, or if --attempts or --seconds ended the addition.
     """
     refuse_idle({"attempts": ("rsa",), "seconds": ("rsa",), "align": ("kind",), "resolution": ("voxels",)})
     to = check_written_name(output, to)
@@ -92,8 +103,8 @@ def pack(output: str, number: int | None, kinds: Any, spread: float, fraction: f
         if os.path.realpath(voxels) == os.path.realpath(output):
             raise click.UsageError("OUTPUT and --voxels must be different files")
     if kind is not None:
-        for name in ("spread", "cell", "dimensions", "rsa", "attempts", "seconds", "seed", "steps"):
-            refuse_given(name, "on a lattice")
+        for name in ("rsa", "spread", "cell", "dimensions", "attempts", "seconds", "seed", "steps"):
+            refuse_given(name, "with --lattice")
         return _write_lattice(output, to, kinds, number, fraction, kind, align, voxels, resolution)
     if rsa:
         for name in ("spread", "steps"):
@@ -187,7 +198,8 @@ def _made(system: System) -> str:
 def _check_plane(kinds: Any, cell: Any, dimensions: int, voxels: str | None) -> Any:
     """Checks the numbers of dimensions of the options. Returns the cell vectors, or None."""
     if any(len(one) != dimensions for one in kinds):
-        raise click.UsageError(f"--axes must have {dimensions} numbers with --dimensions {dimensions}")
+        given = "" if dimensions == 2 else ", not 2: add the third one, or --dimensions 2 for ellipses"
+        raise click.UsageError(f"--axes must have {dimensions} numbers{given or ' with --dimensions 2, not 3'}")
     if cell is not None and len(cell) not in (dimensions, dimensions**2):
         raise click.UsageError(f"--cell must have {dimensions} or {dimensions**2} numbers with --dimensions {dimensions}")
     if voxels is not None and dimensions == 2:
@@ -208,7 +220,10 @@ class _Wish(NamedTuple):
 
     def vectors(self) -> Any:
         """Returns the cell: as given, or of the size that follows from the number and the packing fraction."""
-        if (self.number is None) != (self.fraction is None) or (self.cell is None and self.number is None):
+        if (self.number is None) != (self.fraction is None):
+            one, other = ("-n", "--fraction") if self.fraction is None else ("--fraction", "-n")
+            raise click.UsageError(f"with --rsa, {one} also needs {other}: add {other}, or use --cell alone")
+        if self.cell is None and self.number is None:
             raise click.UsageError("--rsa needs --cell, or -n and --fraction")
         dimensions = self.kinds.shape[1]
         if dimensions == 3 and np.ptp(self.kinds, axis=1).any() and self.number is None and self.attempts is None and self.seconds is None:
@@ -254,7 +269,7 @@ def _add(output: str, to: str, wish: _Wish, voxels: str | None, resolution: int)
     return int(result.end in ("attempts", "seconds") or (wish.number or 0) > len(result.system))
 
 
-@click.command(short_help="Move and rotate ellipsoids until none overlap.")
+@command(short_help="Move and rotate ellipsoids until none overlap.")
 @input_options
 @click.argument("output")
 @_to

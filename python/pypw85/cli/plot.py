@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
+import warnings
 from functools import partial
 from typing import Any
 from collections.abc import Iterator
@@ -13,30 +14,38 @@ import click
 import numpy as np
 
 from .._drawing import check_picture
+from .._observables import MOST_BINS
 from .._statistics import Correlation, correlation, nematic_order, pair_correlation, tetratic_order
 from .._system import System
 from .._typing import Floats
 from .._words import counted
 from ..formats import FileError, refuse_standard_output, replacing
-from ._input import Finite, Input, check_outputs, input_options
+from ._input import Finite, Input, WholeNumber, check_outputs, command, input_options
 from ._progress import progress, say
 from ._series import is_table, read_series, series_figure
 
 
-@click.command(short_help="Plot the distribution of μ and the nematic order of a trajectory, or the averages of a run.")
+@command(short_help="Plot the distribution of μ and the nematic order of a trajectory, or the averages of a run.")
 @partial(input_options, is_other=is_table)
 @click.argument("picture")
-@click.option("--reach", type=Finite(), default="2.0", show_default=True, help="Largest μ in the plot.")
-@click.option("--bins", type=click.IntRange(1), default=100, show_default=True, help="Number of bins.")
+@click.option("--reach", type=Finite(), default="2.0", show_default=True, metavar="μ",
+              help="Largest μ of the histogram and of the pair correlation.")
+@click.option("--bins", type=WholeNumber(most=MOST_BINS), default=100, show_default=True, metavar="N",
+              help="Number of bins of the histogram and of the pair correlations.")
 def plot(given: Input, picture: str, reach: float, bins: int) -> int:
-    """Plot the histogram of μ over the pairs of the chosen frames of FILE, the pair correlation in μ, and the nematic order of each
-    frame. The command also prints the nematic orders. For ellipses in a plane, it also plots the pair correlation by distance, in rings,
-    with the mean cosine of twice the angle between the ellipses of a pair, and the tetratic order.
+    """Plot distributions over the chosen frames of FILE: the histogram of μ (pairs per frame), the pair correlation g(μ), and the nematic
+    order of each frame. The command also prints the nematic orders. The extension of PICTURE selects its format, such as .png or .pdf.
 
-    If FILE is the file of a run of pw85 mc, or its table (.csv), the command plots the samples of the run instead, against the sweeps and
-    with running means: the nematic order, the compressibility, and the density. For the distributions, plot a trajectory of the run."""
+    μ is the factor by which both ellipsoids of a pair must be scaled to touch. g(μ) is the number of pairs divided by the number that is
+    expected without correlations. The cell of FILE must be known. For ellipses in a plane there are two more plots: g(r), the pair
+    correlation as a function of the distance, with the mean of cos 2Δθ, where Δθ is the angle between the ellipses of a pair; and the
+    tetratic order of each frame.
+
+    If FILE is the file of a run of pw85 mc (.h5), or its table (.csv), the command instead plots the samples of the run against the sweeps,
+    with running means: nematic order, compressibility Z = βP/ρ, density, and energy if there is one. For the distributions, plot a
+    trajectory of the run."""
     refuse_standard_output(picture, "the end of a name says the format of a picture")
-    check_picture(picture)
+    check_picture(picture, allows_page=False)
     check_outputs(given, picture)
     series = read_series(given.path)
     if series is not None:
@@ -65,6 +74,9 @@ def plot(given: Input, picture: str, reach: float, bins: int) -> int:
             say(f"{frame:>6} {system.step:>10} {' '.join(f'{value:>14.4f}' for value in row)}")
         if not orders:
             raise FileError(given.path, "the chosen frames have no particles: choose others with --frames")
+        if not any(one.pairs.any() for one in found):
+            warnings.warn(f"{given.path}: no pair has μ < {reach:g}, so there is nothing in the plots of μ: use a larger number (--reach)",
+                          stacklevel=1)  # fmt: skip
         figure = _figure(found, orders, rings)
         with replacing(picture) as temporary:
             figure.savefig(temporary)

@@ -51,6 +51,7 @@ __all__ = [
     "READABLE",
     "REGIONS",
     "STANDARD_OUTPUT",
+    "WITHOUT_TYPES",
     "WRITABLE",
     "FileError",
     "Location",
@@ -99,6 +100,8 @@ REGIONS = "ds9"
 WRITABLE = [name for name, module in FORMATS.items() if hasattr(module, "save")]
 _WHOLE_FILES = (gsd, hdf5)
 _MESHES = (stl, obj, ply)
+# Formats other than meshes that do not store types
+WITHOUT_TYPES = ("vtk", "mjcf", "sdf")
 _NOT_COMPRESSED = (*_WHOLE_FILES, splats, labels)
 _WITH_COLUMNS = (lammps_dump, xyz, csv)
 # What files begin with that look like another format, and what helps
@@ -106,6 +109,10 @@ _LOOKALIKES = [
     (rb"[^\n\x00\x80-\xff]*\r[^\n\x00]*\Z", "its lines end with carriage returns alone: convert these to line feeds"),
     (rb"[^\n]*\bscale_0\b", "the columns scale_0 scale_1 scale_2 are logarithms of lengths, as splat-transform writes them to CSV: write "
                              "the same splats as PLY (splat-transform INPUT OUTPUT.ply)"),
+    (rb"(?:\\[^\n]*\n)*\|[^\n]*\n\| *(?:c|char|d|double|f|float|i|int|l|long|r|real) *\|", "tables of IPAC (.tbl) are not read: save the "
+     "table as CSV, with Astropy by Table.read(INPUT, format='ipac').write('OUTPUT.csv')"),
+    (rb"[^\n]*\n[ |]*:?--+:? *\|[-:| ]*\r?\n", "tables of Markdown are not read: save the table as CSV, with commas instead of bars "
+                                             "and without the line of dashes"),
 ]  # fmt: skip
 # What files begin with that are not read, and what helps
 _OTHERS = [
@@ -295,16 +302,16 @@ def _readable(format: str | None) -> str | None:
 
 
 def frames(path: Path, chosen: slice = slice(None), format: str | None = None, **options: Any) -> Iterator[System]:
-    """The frames of a file, one after the other. Only one is in memory.
+    """Read the frames of a file of another program, one after the other. Only one frame is in memory.
 
     Parameters
     ----------
     path : path
+        Name of the file.
     chosen : slice
-        Which frames.
+        Frames to read, counted from 0, such as ``slice(100, None, 10)``. By default all.
     format : str, optional
-        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats", "microstructpy" or "labels"; by what is in the file if
-        absent.
+        As for `read`.
     **options
         As for `read`.
 
@@ -314,8 +321,16 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
 
     Raises
     ------
-    FileError
-        As `read`.
+    FileError, OSError
+        As for `read`, when the iterator reaches the frame.
+
+    Examples
+    --------
+    >>> import os, tempfile, numpy as np, pypw85
+    >>> name = os.path.join(tempfile.mkdtemp(), "run.dump")
+    >>> pypw85.write(name, [pypw85.pack(np.ones((10, 3)), 0.2, seed=1) for _ in range(3)])
+    >>> [len(system) for system in pypw85.frames(name, slice(1, None))]
+    [10, 10]
     """
     if not isinstance(chosen, slice):
         raise TypeError(f"frames: chosen must be a slice, as slice(0, 100, 10), not {shown(chosen)}")
@@ -339,27 +354,35 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
 def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) -> System:
     """Read one frame of a file of another program.
 
+    The attribute `source` of the result says how the columns were interpreted; its `notes`, also given as warnings, say what may be
+    wrong.
+
     Parameters
     ----------
     path : path
+        Name of the file.
     frame : int
-        The number of the frame, from 0; -1 is the last frame.
+        Number of the frame, from 0; -1 is the last frame.
     format : str, optional
         "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "ds9", "splats", "microstructpy" or "labels". By default the format is
         recognised by the content of the file.
     **options
-        What the file lacks, or states wrongly. For all files: `lengths`, "radii", "diameters" or "rms"; `quaternion`, "wxyz" or "xyzw";
-        `cell`, an array whose rows are the vectors; `periodic`, three flags; `shape`, the lengths of the particles that have no shape in
-        the file; `shapes`, a dictionary of such lengths by the names of types, or for all types under "*"; `dimensions`, 2 or 3;
-        `angle`, "degrees" or "radians"; `points`, the types of particles that are points, which are left out.
+        Information that the file lacks, or that is wrong in the file. The options of the command ``pw85`` have the same names and
+        meanings: ``pw85 check --help`` describes them.
 
-        For files with columns: `convention`, the name of the program that wrote a table, or "none"; `shape_columns`,
-        `quaternion_columns`, `angle_columns`, `polar` (two), `direction_columns` (three) and `ignore_columns`, names of columns; `euler`,
-        the sequence of axes; `angle_zero`, "x" or "y"; `angle_sense`, "xy" or "yx".
+        For all files: `lengths`, "radii", "diameters" or "rms"; `quaternion`, "wxyz" or "xyzw"; `cell`, a (3, 3) array whose rows are the
+        cell vectors; `periodic`, three bools; `shape`, the three lengths of all particles that have no shape in the file; `shapes`, a
+        dictionary of such lengths by type, with "*" for all other types; `dimensions`, 2 or 3; `angle`, "degrees" or "radians"; `points`,
+        a list of types of particles that are points, which are left out.
+
+        For files with columns: `convention`, the name of the program that wrote the table, or "none"; `shape_columns`,
+        `quaternion_columns`, `angle_columns`, `polar` (two), `direction_columns` (three) and `ignore_columns`, lists of names of columns;
+        `euler`, the axes of the Euler angles, such as "zyx" (fixed axes) or "ZYX" (axes that rotate with the body); `angle_zero`, "x" or
+        "y"; `angle_sense`, "xy" or "yx".
 
         For splats: `sigma`, the length of the semi-axes in standard deviations; `scales`, "log" or "linear"; `strict`, True to refuse
-        splats that are too flat instead of enlarging their semi-axes. For a labelled image: `spacing`, the distance between pixels, a
-        number for all dimensions or one for each.
+        splats that are too flat instead of enlarging their semi-axes. For a labelled image: `spacing`, the distance between pixels, one
+        number or one for each dimension.
 
     Returns
     -------
@@ -368,11 +391,23 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     Raises
     ------
     FileError
-        The file is wrong; or it has no such frame; or the names in the file mean different things in different programs. In the last
-        case the message names the options that decide, as the command spells them: ``--shape-columns`` is the argument
-        `shape_columns`.
+        The file is broken; it has no such frame; or names in the file have different meanings in different programs. In the last case
+        the message names the options that decide, as the command spells them: ``--shape-columns`` is the argument `shape_columns`. The
+        message names the file, the frame and the line.
     OSError
         The file cannot be opened.
+
+    Examples
+    --------
+    >>> import os, tempfile, pypw85
+    >>> name = os.path.join(tempfile.mkdtemp(), "grains.csv")
+    >>> with open(name, "w") as file:
+    ...     print("x,y,z,radius", "0,0,0,1", "0,0,1.5,1", sep="\\n", file=file)
+    >>> system = pypw85.read(name, cell=[[9, 0, 0], [0, 9, 0], [0, 0, 9]])
+    >>> system.source
+    'lengths radius as radii'
+    >>> len(system.overlaps().mu)
+    1
     """
     number = integer(frame, "read: frame", None)
     chosen = slice(number, None if number == -1 else number + 1)
@@ -383,37 +418,46 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
 
 def write(path: Path, systems: System | Iterable[System], format: str | None = None, precision: str | None = None,
           deviation: float | None = None, fit: Fit | None = None) -> None:  # fmt: skip
-    """Write a system, or several systems as frames. The file is written atomically.
+    """Write a system, or several systems as frames, to a file of another program.
 
-    A text file whose name ends with .gz is compressed. If the format cannot hold something exactly, such as numbers in double precision in
-    a GSD file, there is a warning (`UserWarning`).
+    The file is written atomically: a complete file replaces an old one. A text file whose name ends with .gz is compressed. If the format
+    cannot hold something exactly, such as double precision in a GSD file, there is a warning (`UserWarning`).
 
     Parameters
     ----------
     path : path
+        Name of the file.
     systems : System or iterable of System
+        One frame, or several frames. Not every format can hold several.
     format : str, optional
         "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "vtk", "mjcf" or "sdf", or for a mesh of triangles "stl", "obj" or
-        "ply". By default the end of the name decides.
+        "ply". By default the extension of the name decides.
     precision : str, optional
         For a GSD file: "single" (the default), or "double", which HOOMD-blue reads since its version 7.
     deviation : float, optional
-        For a mesh: the largest distance of the triangles from the surfaces. By default a hundredth of the longest semi-axis.
+        For a mesh: largest distance of the triangles from the surfaces, in the unit of length. By default a hundredth of the longest
+        semi-axis.
     fit : str, optional
-        For a mesh: "inscribed", "circumscribed" or "volume" (the default), as for `ellipsoid_mesh`. The first line of the file (of a PLY
-        file the third) has this word.
-
-    Returns
-    -------
-    None
+        For a mesh: "inscribed", "circumscribed" or "volume" (the default), as for `ellipsoid_mesh`. The file contains this word in a
+        comment.
 
     Raises
     ------
     ValueError
-        The format cannot hold such a system (because of names of types, for instance), or it can hold one frame only; or the file
-        could not be read again, because an ellipsoid has a position that is not finite or a semi-axis that is not positive.
+        The format cannot hold such a system, for instance because of a name of a type; the format can hold only one frame; or an ellipsoid
+        has a centre that is not finite or a semi-axis that is not positive.
     OSError
         The file cannot be written.
+
+    Examples
+    --------
+    >>> import os, tempfile, pypw85
+    >>> name = os.path.join(tempfile.mkdtemp(), "one.csv")
+    >>> one = pypw85.System.from_axes([[1, 2, 3]], [[1, 1, 2]], [[1, 0, 0, 0]])
+    >>> pypw85.write(name, one)
+    >>> print(open(name).read(), end="")
+    id,type,x,y,z,a,b,c,qw,qx,qy,qz
+    1,0,1,2,3,1,1,2,1,0,0,0
     """
     if not isinstance(path, (str, os.PathLike)):
         raise TypeError(f"write: path must be the name of a file, not {type(path).__qualname__}")

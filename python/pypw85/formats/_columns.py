@@ -264,7 +264,7 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     other things, and `is_flat` says that these are ellipses unless an option says otherwise."""
     for name in options.ignore_columns or ():
         if name not in columns:
-            raise error(f"there is no column '{name}', but {' '.join(columns)}")
+            raise error(f"there is no column '{name}', but {' '.join(columns)}: name one of these")
     columns = [name for name in columns if name not in (options.ignore_columns or ())]
     is_flat = is_flat if options.dimensions is None else options.dimensions == 2
     _check_quantities(options.shape_columns or (), error)
@@ -653,7 +653,7 @@ def _given(columns: Sequence[str], names: Sequence[str] | None, error: Error) ->
     """The columns that an option names."""
     for name in names or ():
         if name not in columns:
-            raise error(f"there is no column '{name}', but {' '.join(columns)}")
+            raise error(f"there is no column '{name}', but {' '.join(columns)}: name one of these")
     return tuple(names or ())
 
 

@@ -14,15 +14,16 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 class FileError(ValueError):
-    """A file cannot be used.
+    """Exception: a file cannot be read or written. It is a ValueError.
 
     Attributes
     ----------
     path : str
+        Name of the file.
     reason : str
-        One sentence, with a cure where there is one.
+        What is wrong, and, after a colon, what to do.
     frame, line : int or None
-        Where: frames count from 0, lines from 1.
+        Number of the frame, from 0, and of the line, from 1; None if unknown.
     """
 
     def __init__(self, path: object, reason: str, frame: int | None = None, line: int | None = None) -> None:

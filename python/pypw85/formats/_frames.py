@@ -153,7 +153,7 @@ class Options:
             if one is not None and format != "splats":
                 raise FileError(path, f"{name} applies to the format splats only, not to {format}: leave it out")
         if self.spacing is not None and format != "labels":
-            raise FileError(path, f"only files of the format labels have pixels, not {format}: leave out --spacing")
+            raise FileError(path, f"--spacing applies to the format labels only, not to {format}: leave it out")
 
 
 def _cell(value: Any, name: str) -> Floats:
@@ -338,6 +338,8 @@ class Frame:
                                       "(--dimensions 2 if its particles are ellipses)")  # fmt: skip
                 return system
             system = given(dimensions=2)
+        if options.dimensions == 2:
+            return system
         reason = "" if said else (", because all centres lie in one plane of z, and the cell is no higher than the particles, as with "
                                   "dimension 2 in LAMMPS")  # fmt: skip
         self.notes.append(f"the system is taken as two-dimensional{reason} (--dimensions 3 if it is not): its particles are ellipses, and "
@@ -348,7 +350,7 @@ class Frame:
         cure = "leave out --dimensions 2" if options.dimensions else (
             "the file says that these are ellipses in a plane: say --dimensions 3 if they are not")  # fmt: skip
         if not is_planar(centers, ellipsoid_quaternion(semi_axes, quaternions)):
-            raise self.error(f"the centres do not lie in one plane of z, or the particles are turned out of it: {cure}")
+            raise self.error(f"the centres do not lie in one plane of z, or the particles are rotated out of it: {cure}")
         if self.cell is not None and self.cell[:2, 2].any():
             raise self.error(f"the first two vectors of the cell do not lie in the plane of x and y: {cure}")
 

@@ -288,5 +288,5 @@ def check_units(names: Iterable[str], error: Error) -> None:
 def _given(columns: Sequence[str], names: Sequence[str], error: Error) -> Names:
     for name in names:
         if name not in columns:
-            raise error(f"there is no column '{name}', but {' '.join(columns)}")
+            raise error(f"there is no column '{name}', but {' '.join(columns)}: name one of these")
     return tuple(names)

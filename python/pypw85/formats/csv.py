@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables with a comma between columns and their names in the first line; read with semicolons, tabulators and decimal commas, too.
 
-Columns that are written: x y z; the semi-axes a b c, or radius; the quaternion qw qx qy qz; id and type. A line ``# cell`` before the names
-holds the nine components of the vectors of a cell, ``# origin`` three, ``# periodic`` three of T and F, ``# step`` a time step,
-``# dimensions`` 2 if these are ellipses. A table of ellipses may have x y, a b and an angle instead, and four components of a cell.
-Names of types are quoted where they have a comma or a quotation mark.
+Columns that are written: x y z; the semi-axes a b c, or radius; the quaternion qw qx qy qz; id and type. Comments before the names may
+state ``# cell`` (the nine components of the cell vectors), ``# origin`` (three numbers), ``# periodic`` (three letters T or F), ``# step``
+(the time step) and ``# dimensions`` (2 for ellipses). A table of ellipses may have the columns x y, a b and an angle instead, and four
+components of a cell. The name of a type is quoted if it contains a comma or a quotation mark.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import csv
 import itertools
 import os
 import re
-from typing import IO
+from typing import IO, Any
 from collections.abc import Iterator
 
 import numpy as np
@@ -25,7 +25,7 @@ from . import _comments
 from ._boxes import SAYS_CELL
 from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, meaning_of, offsets_of, plain_name, take
 from ._conventions import CONVENTIONS, Convention, named, possible, recognised
-from ._errors import for_option
+from ._errors import FileError, for_option
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import PRINTED, Rule, checked_names
 from ._series import check_repeated, check_series, columns_of_series
@@ -37,6 +37,15 @@ _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", 
 # Keys, and what follows them; with other words a comment is a sentence, as "# origin at the lower left"
 _KEYS = {"cell": r"[-+.\d]|nan\b|inf", "dimensions": r"[-+.\d]", "origin": r"[-+.\d]|nan\b|inf", "periodic": r"(T|F|true|false|[01])\b|$",
          "step": r"[-+.\d]+([eE][-+]?\d+)?\s*$"}  # fmt: skip
+# The values that must follow keys, and what helps if they do not
+_VALUES = {
+    "cell": "nine numbers, the three vectors of the cell one after the other (four numbers in a plane)",
+    "dimensions": "2 or 3, the number of dimensions",
+    "origin": "three numbers, the corner of the cell (two in a plane)",
+    "periodic": "three letters T or F, one for each vector of the cell (two in a plane)",
+    "step": "a whole number, the time step",
+}
+_OTHER_MEANING = "correct it, or reword the comment if it says something else"
 # Comments that say the cell in another way, or that there is one
 _LIKE_KEYS = re.compile(rf"[#%](?:.*[\s,;('\"{{])?{SAYS_CELL}|"
                         r"[#%].*?(?<!non)(?<!non-)(?<!not )(?<!no )(?<!a)(periodic|\bpbc)\b(?!\W*(no|none|false|f|0|table)\b)",
@@ -175,7 +184,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         columns = _with_names_of_rows(lines, separator, _without_empty_end(lines, separator, columns))
         convention = convention_of(columns, options, lines.error)
         positions = _positions_of(convention, columns, separator, len(positions), options, lines)
-        dimensions = _dimensions(keys, lines)
+        dimensions = keys.get("dimensions")
         _check_third(columns, positions, options, lines, convention)
         ids, types, notes = _ids_and_types(lines, separator, columns, options)
         offsets = offsets_of(convention, columns)
@@ -189,7 +198,6 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         _comments.check(comments, meaning_of(taken, options, convention is not None, has_units), lines.error)
         _check_lengths(columns, positions, taken, (options.dimensions or dimensions) is not None, lines)
         _check_units(comments, columns, positions, taken, lines)
-        step = lines.whole(keys.get("step", "0"), "step", -(2**63))
         cell, origin, periodic = _box(keys, lines)
         _check_units_row(lines, separator, [columns.index(name) for name in positions])
         series = columns_of_series(columns, len(positions), options, convention)
@@ -202,7 +210,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     frame = Frame(
         path, location, table.stack(positions) + table.stack(offsets) if offsets else table.stack(positions),
         types=table[types] if types else None, ids=numbers,
-        cell=cell, origin=origin, periodic=periodic, step=step,
+        cell=cell, origin=origin, periodic=periodic, step=keys.get("step", 0),
         lines=range(table.line, table.line + table.count), dimensions=dimensions,
     )  # fmt: skip
     fill(frame, taken, table)
@@ -225,18 +233,10 @@ def _positions_of(convention: Convention | None, columns: list[str], separator: 
     return positions
 
 
-def _dimensions(keys: dict[str, str], lines: Lines) -> int | None:
-    """The number of dimensions that the keys give."""
-    dimensions = lines.whole(keys["dimensions"], "dimensions") if "dimensions" in keys else None
-    if dimensions not in (None, 2, 3):
-        raise lines.error(f"'dimensions' must be 2 or 3, not {dimensions}")
-    return dimensions
-
-
-def _count(keys: dict[str, str], lines: Lines, separator: str | None) -> tuple[int, list[str]]:
+def _count(keys: dict[str, Any], lines: Lines, separator: str | None) -> tuple[int, list[str]]:
     """The number of rows, and comments behind them. Behind those that DREAM.3D says there are, lists of neighbours may follow."""
     remaining, comments = _remaining(lines, separator)
-    count = min(remaining, lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
+    count = min(remaining, keys.get("rows", remaining))
     if not count:
         raise lines.error("there are no particles: no row follows the names of the columns; write the file again")
     return count, comments
@@ -319,32 +319,41 @@ def _check_units_row(lines: Lines, separator: str | None, places: list[int]) -> 
     lines.back(place)
 
 
-def _box(keys: dict[str, str], lines: Lines) -> tuple[Floats | None, list[float], list[bool]]:
+def _box(keys: dict[str, Any], lines: Lines) -> tuple[Floats | None, list[float], list[bool]]:
     """The cell, its corner, and the directions along which it repeats."""
-    cell = _cell(lines, keys["cell"]) if "cell" in keys else None
-    if cell is not None and len(keys["cell"].split()) == 4:
-        keys = _completed(keys)
-    return cell, lines.numbers(keys.get("origin", "0 0 0"), 3, "origin"), lines.flags(keys.get("periodic", "T T T"), "periodic")
+    numbers, origin, periodic = keys.get("cell"), keys.get("origin", [0.0, 0.0, 0.0]), keys.get("periodic", [True, True, True])
+    if numbers is not None and len(numbers) == 4:  # of a plane
+        origin, periodic = [*origin, -0.5][:3], [*periodic, False][:3]
+        numbers = [*numbers[:2], 0, *numbers[2:], 0, 0, 0, 1]
+    if len(origin) != 3 or len(periodic) != 3:
+        lines.number = 0
+        raise lines.error("the comments '# origin' and '# periodic' have two values, which need '# cell' and four numbers: correct them")
+    return None if numbers is None else np.reshape(np.array(numbers, dtype=np.float64), (3, 3)), origin, periodic
 
 
-def _cell(lines: Lines, text: str) -> Floats:
-    """Three vectors, or the two of a plane."""
-    if len(text.split()) != 4:
-        return np.reshape(lines.numbers(text, 9, "cell"), (3, 3))
-    cell = np.eye(3)
-    cell[:2, :2] = np.reshape(lines.numbers(text, 4, "cell"), (2, 2))
-    return cell
+def _value(lines: Lines, key: str, text: str) -> Any:
+    """The value of a key in the present line: a number, or a list."""
+    count = len(text.split())
+    try:
+        if key in ("dimensions", "step"):
+            value = lines.whole(text, key, -(2**63))
+            is_allowed = key == "step" or value in (2, 3)
+        elif key == "periodic":
+            value = lines.flags(text if count != 2 else f"{text} F", key)[:count]
+            is_allowed = True
+        else:
+            value = lines.numbers(text, count, key)
+            is_allowed = count in ((4, 9) if key == "cell" else (2, 3))
+    except FileError:
+        is_allowed = False
+    if not is_allowed:
+        raise lines.error(f"the comment '# {key}' must be followed by {_VALUES[key]}, not by '{text[:60]}': {_OTHER_MEANING}")
+    return value
 
 
-def _completed(keys: dict[str, str]) -> dict[str, str]:
-    """Adds the third number or flag to the cell of a plane."""
-    others = {"origin": " -0.5", "periodic": " F"}
-    return keys | {name: keys[name] + end for name, end in others.items() if len(keys.get(name, "").split()) == 2}
-
-
-def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str]]:
+def _keys(lines: Lines, options: Options) -> tuple[dict[str, Any], str, list[str]]:
     """Reads the lines before the names. Also returns the line with the names, or the first row if no line has names; and the comments."""
-    keys: dict[str, str] = {}
+    keys: dict[str, Any] = {}
     units: dict[str, str] = {}
     others: dict[int, str] = {}
     comments, column = [], ""
@@ -356,9 +365,9 @@ def _keys(lines: Lines, options: Options) -> tuple[dict[str, str], str, list[str
             raise lines.error(f"the comment '# {name}' is there twice: remove one")
         others |= {} if is_key else {lines.number: text}
         if is_key:
-            keys[name] = value
+            keys[name] = _value(lines, name, value.strip())
         elif text.isdecimal():
-            keys["rows"] = text
+            keys["rows"] = lines.whole(text, "the number of rows")
         elif text:
             comments.append(text)
             for key, value in _OF_ECSV.findall(text):
