@@ -14,8 +14,8 @@
 /// a power of two, so that no square overflows or underflows.
 struct pw85_random_addition {
     double unit;
-    Owner<pw85::detail::sequential_addition::Addition<2>> flat;
-    Owner<pw85::detail::sequential_addition::Addition<3>> solid;
+    pw85::detail::Owner<pw85::detail::sequential_addition::Addition<2>> flat;
+    pw85::detail::Owner<pw85::detail::sequential_addition::Addition<3>> solid;
 
     /// Calls work() with the addition.
     template <class Work> auto visit(Work const &work) const noexcept
