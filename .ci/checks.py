@@ -410,8 +410,8 @@ def check_all_sanitizers(results):
     check_addresses(results, [*others, *NOT_SOURCES])
 
 
-# What ccache lacks are units with a precompiled header. Whether these compile does not depend on the level, and the test docs_installation
-# runs the same script with that of users, but without the header.
+# What ccache lacks are units of several sources. Whether these compile does not depend on the level, and the test docs_installation
+# runs the same script with that of users, but with each source alone.
 UNOPTIMIZED = "-Doptimization=0 -Doptimized=false -Dsimd=disabled -Dgpu=disabled"
 
 

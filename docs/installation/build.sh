@@ -3,7 +3,7 @@
 set -e
 # start
 meson setup build --prefix="$HOME/.local" --libdir=lib \
-  -Dtests=disabled -Dbench=disabled -Dpython=disabled -Dprecompiled=true
+  -Dtests=disabled -Dbench=disabled -Dpython=disabled
 meson compile -C build
 meson install -C build
 # end

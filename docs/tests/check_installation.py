@@ -68,9 +68,9 @@ def run_as_user(text, folder, home, tools):
         "HOME": str(home),
         "PATH": f"{tools}:/usr/local/bin:/usr/bin:/bin",
         "LANG": "C.UTF-8",
-        # Without a precompiled header the library has the objects of the build of the tests, which ccache knows. The part `tutorial` of
-        # .ci/run compiles as users do.
-        "PW85_SETUP_OPTIONS": "-Dprecompiled=false",
+        # Each source alone: the library has the objects of the build of the tests, which ccache knows. The part `tutorial` of .ci/run
+        # compiles as users do.
+        "PW85_SETUP_OPTIONS": "-Djoined=false -Ddefault_library=both",
         **{name: value for name, value in os.environ.items() if name.startswith(("CCACHE_", "PIP_"))},
     }
     return run(["sh", "-e", "-c", text], folder, environment)

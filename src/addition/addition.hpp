@@ -14,6 +14,8 @@
 #ifndef PW85_ADDITION_ADDITION_HPP_INCLUDED
 #define PW85_ADDITION_ADDITION_HPP_INCLUDED
 
+#include <algorithm>
+
 #include "voxels.hpp"
 
 namespace pw85::detail::sequential_addition {
@@ -48,7 +50,7 @@ template <int D> class Addition {
     {
         double outer = 0.0;
         for (std::size_t k = 0; k < all_species_.size(); ++k)
-            outer = std::max(outer, all_species_[k].outer());
+            outer = maximum(outer, all_species_[k].outer());
         return packing_.divide(outer);
     }
 
@@ -69,10 +71,10 @@ template <int D> class Addition {
             return true;
         if (round_.left == 0) begin_round();
         // From the last division on, so that the number does not depend on limits before
-        double const all = std::ceil((limits.attempts - attempts_before_) * share()),
-                     left = std::max(1.0, all - static_cast<double>(attempts_in_voxels_));
+        double const all = elementary::ceil((limits.attempts - attempts_before_) * share()),
+                     left = maximum(1.0, all - static_cast<double>(attempts_in_voxels_));
         auto const number =
-            static_cast<std::size_t>(std::min(left, static_cast<double>(round_.left)));
+            static_cast<std::size_t>(minimum(left, static_cast<double>(round_.left)));
         return try_many(number, limits.particles) && (round_.left > 0 || end_round());
     }
 
@@ -85,7 +87,7 @@ template <int D> class Addition {
     void begin_round() noexcept
     {
         std::size_t const number =
-            std::max({min_attempts, packing_.size() / 4, std::min(voxels_.size(), max_voxels / 8)});
+            std::max({min_attempts, packing_.size() / 4, minimum(voxels_.size(), max_voxels / 8)});
         round_ = {number, number, packing_.size()};
     }
 
@@ -117,7 +119,7 @@ template <int D> class Addition {
         if (!is_free_.resize(number)) return false;
         std::size_t const tasks = (number + attempts_per_task - 1) / attempts_per_task;
         for_tasks(tasks, tasks > 1, [&](std::size_t task) {
-            std::size_t const end = std::min((task + 1) * attempts_per_task, number);
+            std::size_t const end = minimum((task + 1) * attempts_per_task, number);
             for (std::size_t k = task * attempts_per_task; k < end; ++k)
                 is_free_[k] = packing_.is_free(drawn(next_ + k));
         });

@@ -4,6 +4,8 @@
 #ifndef PW85_ADDITION_ATTEMPTS_HPP_INCLUDED
 #define PW85_ADDITION_ATTEMPTS_HPP_INCLUDED
 
+#include <algorithm>
+
 #include <pw85/algebra/philox.hpp>
 #include <pw85/contact/forms.hpp>
 
@@ -39,10 +41,11 @@ template <int D> struct Voxel {
 /// or as Shoemake (Graphics Gems III, 1992) has it.
 template <int D> Vector<double, 4> random_quaternion(double u, double v, double w) noexcept
 {
-    if constexpr (D == 2) return {std::cos(pi / 2 * u), 0.0, 0.0, std::sin(pi / 2 * u)};
-    double const s = std::sqrt(1 - u), t = std::sqrt(u);
-    return {t * std::cos(2 * pi * w), s * std::sin(2 * pi * v), s * std::cos(2 * pi * v),
-            t * std::sin(2 * pi * w)};
+    if constexpr (D == 2)
+        return {elementary::cos(pi / 2 * u), 0.0, 0.0, elementary::sin(pi / 2 * u)};
+    double const s = elementary::sqrt(1 - u), t = elementary::sqrt(u);
+    return {t * elementary::cos(2 * pi * w), s * elementary::sin(2 * pi * v),
+            s * elementary::cos(2 * pi * v), t * elementary::sin(2 * pi * w)};
 }
 
 template <int D>
@@ -62,9 +65,9 @@ template <int D> Particle<D> draw(Stream &random, Voxel<D> const &voxel,
 {
     Particle<D> one;
     for (int i = 0; i < D; ++i)
-        one.place[i] = std::min((static_cast<double>(voxel.corner[i]) + random.uniform()) /
-                                    static_cast<double>(divisions.places[i]),
-                                0x1.fffffffffffffp-1); // the last number below 1
+        one.place[i] = minimum((static_cast<double>(voxel.corner[i]) + random.uniform()) /
+                                   static_cast<double>(divisions.places[i]),
+                               0x1.fffffffffffffp-1); // the last number below 1
     double const u = (static_cast<double>(voxel.angle) + random.uniform()) /
                      static_cast<double>(divisions.angles),
                  v = D == 3 ? random.uniform() : 0.0, w = D == 3 ? random.uniform() : 0.0;

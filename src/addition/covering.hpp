@@ -8,6 +8,8 @@
 #ifndef PW85_ADDITION_COVERING_HPP_INCLUDED
 #define PW85_ADDITION_COVERING_HPP_INCLUDED
 
+#include <algorithm>
+
 #include "attempts.hpp"
 
 namespace pw85::detail::sequential_addition {
@@ -27,7 +29,7 @@ template <int D> class Covering {
                 half[i] = (static_cast<double>(c >> i & 1) - 0.5) /
                           static_cast<double>(divisions.places[i]);
             corners_[c] = packing.cell().point(half);
-            reach_ = std::max(reach_, magnitude(corners_[c]));
+            reach_ = maximum(reach_, magnitude(corners_[c]));
         }
         error_ = position_error * packing.cell().edges();
     }
@@ -72,7 +74,7 @@ template <int D> class Covering {
     Body<D> inner_body(Voxel<D> const &voxel) const noexcept
     {
         Axes2 const &squares = squares_[voxel.species];
-        Body<D> body{{}, std::sqrt(squares[0]), std::sqrt(squares[1])};
+        Body<D> body{{}, elementary::sqrt(squares[0]), elementary::sqrt(squares[1])};
         if constexpr (D == 2) {
             Vector<double, 3> const &axes = all_species_[voxel.species].axes;
             double const turn = axes[0] < axes[1] ? pi : 0.0;

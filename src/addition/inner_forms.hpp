@@ -6,8 +6,6 @@
 #ifndef PW85_ADDITION_INNER_FORMS_HPP_INCLUDED
 #define PW85_ADDITION_INNER_FORMS_HPP_INCLUDED
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include <pw85/algebra/symmetric.hpp>
@@ -37,13 +35,13 @@ using Axes2 = Vector<double, 2>;
 inline Axes2 inside_rotated(double a, double b, double angle) noexcept
 {
     double const m = (a * a + b * b) / 2, d = (a * a - b * b) / 2,
-                 s = std::sin(std::min(angle, pi / 2));
+                 s = elementary::sin(minimum(angle, pi / 2));
     Axes2 best = {b, b};
     for (int k = 1; k <= 64; ++k) {
         double const less = k / 64.0 * d;
-        double const mean = m - std::sqrt((d - less) * (d - less) + 4 * d * less * s * s);
+        double const mean = m - elementary::sqrt((d - less) * (d - less) + 4 * d * less * s * s);
         if (mean <= less) continue;
-        Axes2 const axes = {std::sqrt(mean + less), std::sqrt(mean - less)};
+        Axes2 const axes = {elementary::sqrt(mean + less), elementary::sqrt(mean - less)};
         if (axes[0] * axes[1] > best[0] * best[1]) best = axes;
     }
     return best;
@@ -79,7 +77,7 @@ inline double rounding_loss(double outer, double edges) noexcept
 /// two such balls overlap.
 inline double radius_inside(double outer, double inner) noexcept
 {
-    return std::sqrt(std::max(0.0, inner * inner - rounding_loss(outer, 0)));
+    return elementary::sqrt(maximum(0.0, inner * inner - rounding_loss(outer, 0)));
 }
 
 /// The squares of semi-axes, smaller by the margin and by a loss. They may be negative.
@@ -101,8 +99,8 @@ inline bool is_certainly_definite(Axes2 const &squares) noexcept
 inline SymmetricMatrix<double, 2> rotated_form(Axes2 const &squares, double double_angle) noexcept
 {
     double const m = (squares[0] + squares[1]) / 2, d = (squares[0] - squares[1]) / 2;
-    return {m + d * std::cos(double_angle), d * std::sin(double_angle),
-            m - d * std::cos(double_angle)};
+    return {m + d * elementary::cos(double_angle), d * elementary::sin(double_angle),
+            m - d * elementary::cos(double_angle)};
 }
 
 /// Twice the angle in the middle of a voxel, which has one of `angles` parts of π.

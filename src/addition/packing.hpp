@@ -63,7 +63,7 @@ template <int D> class Packing {
         double const width = 2 * outer * (1 + margin) + position_error * cell_.edges();
         for (int i = 0; i < D; ++i) {
             boxes_[i] = static_cast<std::int64_t>(
-                std::min(std::max(1.0, cell_.height(i) / width), D == 2 ? 1024.0 : 256.0));
+                minimum(maximum(1.0, cell_.height(i) / width), D == 2 ? 1024.0 : 256.0));
             total *= static_cast<std::size_t>(boxes_[i]);
         }
         if (!first_.resize(total)) return false;
@@ -145,8 +145,8 @@ template <int D> class Packing {
     {
         Boxes box;
         for (int i = 0; i < D; ++i)
-            box[i] = std::min(static_cast<std::int64_t>(place[i] * static_cast<double>(boxes_[i])),
-                              boxes_[i] - 1);
+            box[i] = minimum(static_cast<std::int64_t>(place[i] * static_cast<double>(boxes_[i])),
+                             boxes_[i] - 1);
         return box;
     }
 

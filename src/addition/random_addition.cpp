@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of random sequential addition: see addition.hpp.
 #include <initializer_list>
-#include <memory>
 #include <new>
 
 #include <pw85_simulation.h>
 
 #include "../base/last_error.hpp"
 #include "../base/objects.hpp"
+#include "../base/owner.hpp"
 #include "addition.hpp"
 
 /// An addition of ellipses or of ellipsoids: one of the two exists. Lengths are in a unit, which is
 /// a power of two, so that no square overflows or underflows.
 struct pw85_random_addition {
     double unit;
-    std::unique_ptr<pw85::detail::sequential_addition::Addition<2>> flat;
-    std::unique_ptr<pw85::detail::sequential_addition::Addition<3>> solid;
+    pw85::detail::Owner<pw85::detail::sequential_addition::Addition<2>> flat;
+    pw85::detail::Owner<pw85::detail::sequential_addition::Addition<3>> solid;
 
     /// Calls work() with the addition.
     template <class Work> auto visit(Work const &work) const noexcept
@@ -42,7 +42,7 @@ template <int D> double longest_of(std::size_t num_kinds, double const *semi_axe
     double longest = 0.0;
     for (std::size_t i = 0; i < 3 * num_kinds; ++i) {
         if (!detail::is_finite(semi_axes[i]) || !(semi_axes[i] > 0.0)) return quiet_nan<double>();
-        if (i % 3 < D) longest = std::max(longest, semi_axes[i]);
+        if (i % 3 < D) longest = maximum(longest, semi_axes[i]);
     }
     return longest;
 }
@@ -51,8 +51,8 @@ template <int D> double longest_of(std::size_t num_kinds, double const *semi_axe
 inline double unit_near(double length) noexcept
 {
     int exponent;
-    std::frexp(length, &exponent);
-    return std::ldexp(1.0, std::min(exponent, 1023));
+    elementary::frexp(length, &exponent);
+    return elementary::ldexp(1.0, minimum(exponent, 1023));
 }
 
 /// Stores the semi-axes of a species in a unit, in which the longest one of all is `longest`.
@@ -101,8 +101,7 @@ template <int D> int check_cell(Cell<D> const &cell, double longest) noexcept
 
 /// Makes an empty addition. Returns a status.
 template <int D> int create(double const *rows, std::size_t num_kinds, double const *semi_axes,
-                            std::uint64_t seed, double &unit,
-                            std::unique_ptr<Addition<D>> &made) noexcept
+                            std::uint64_t seed, double &unit, Owner<Addition<D>> &made) noexcept
 {
     if (D == 2)
         if (int const status = check_flat(rows)) return status;
@@ -156,7 +155,7 @@ int random_addition_create(int dimensions, double const cell[9], size_t num_kind
     if (num_kinds < 1 || num_kinds > max_number)
         return note_cause(PW85_EINVAL, "num_kinds", "must be > 0 and below 2³¹", 0, 0,
                           static_cast<double>(num_kinds));
-    std::unique_ptr<pw85_random_addition> made(new (std::nothrow) pw85_random_addition);
+    Owner<pw85_random_addition> made(new (std::nothrow) pw85_random_addition);
     if (made == nullptr) return PW85_ENOMEM;
     int const status = dimensions == 2
                            ? create(cell, num_kinds, semi_axes, seed, made->unit, made->flat)

@@ -11,6 +11,8 @@
 #ifndef PW85_ADDITION_VOXELS_HPP_INCLUDED
 #define PW85_ADDITION_VOXELS_HPP_INCLUDED
 
+#include <algorithm>
+
 #include "../base/list.hpp"
 #include "../base/parallel.hpp"
 #include "covering.hpp"
@@ -36,8 +38,8 @@ template <int D> class Voxels {
         are_balls_ = true;
         for (std::size_t k = 0; k < all_species.size(); ++k) {
             double const inner = all_species[k].inner(), outer = all_species[k].outer();
-            smallest_ = std::min(smallest_, inner);
-            longest = std::max(longest, outer / inner);
+            smallest_ = minimum(smallest_, inner);
+            longest = maximum(longest, outer / inner);
             are_balls_ = are_balls_ && inner == outer;
         }
         has_angles_ = D == 2 && !are_balls_;
@@ -109,13 +111,13 @@ template <int D> class Voxels {
   private:
     static std::uint64_t count_of(double x) noexcept
     {
-        return static_cast<std::uint64_t>(std::clamp(std::ceil(x), 1.0, 8192.0));
+        return static_cast<std::uint64_t>(std::clamp(elementary::ceil(x), 1.0, 8192.0));
     }
 
     /// The number from 0 to size - 1 that a random number in [0, 1) chooses.
     static std::size_t index_of(double choice, std::size_t size) noexcept
     {
-        return std::min(static_cast<std::size_t>(choice * static_cast<double>(size)), size - 1);
+        return minimum(static_cast<std::size_t>(choice * static_cast<double>(size)), size - 1);
     }
 
     /// Number of parts of a voxel that is halved; 1 before there are voxels.
@@ -153,10 +155,10 @@ template <int D> class Voxels {
         Array<unsigned char> free_parts;
         List<Voxel<D>> kept;
         Covering<D> covering(packing, all_species_, divisions_);
-        if (!free_parts.resize(std::min(block, number)) || !covering.prepare())
+        if (!free_parts.resize(minimum(block, number)) || !covering.prepare())
             return Division::no_memory;
         for (std::size_t begin = 0; begin < number; begin += block) {
-            std::size_t const count = std::min(block, number - begin);
+            std::size_t const count = minimum(block, number - begin);
             for_parts(count, [&](std::size_t first, std::size_t end) {
                 for (std::size_t k = first; k < end; ++k)
                     free_parts[k] = free_parts_of(begin + k, covering);

@@ -2,7 +2,6 @@
 // The causes of refusals. Requirements are decided as the templates of the functions decide them.
 #include "last_error.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -41,8 +40,8 @@ Complaint of_finite(Argument const &one) noexcept
 {
     if (one.limits & limit::may_be_nan) return {};
     if (one.limits & limit::may_be_infinite)
-        return of_entries(one, "must not be NaN", [](double x) { return std::isnan(x); });
-    return of_entries(one, "must be finite", [](double x) { return !std::isfinite(x); });
+        return of_entries(one, "must not be NaN", [](double x) { return elementary::isnan(x); });
+    return of_entries(one, "must be finite", [](double x) { return !elementary::isfinite(x); });
 }
 
 bool is_definite(double const *a, std::size_t count) noexcept
@@ -87,7 +86,7 @@ bool is_rotation(double const *r) noexcept
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
             double const product = r[i] * r[j] + r[3 + i] * r[3 + j] + r[6 + i] * r[6 + j];
-            if (!(std::abs(product - (i == j ? 1.0 : 0.0)) <= 1e-6)) return false;
+            if (!(elementary::abs(product - (i == j ? 1.0 : 0.0)) <= 1e-6)) return false;
         }
     return true;
 }
@@ -104,13 +103,14 @@ Complaint of_range(Argument const &one) noexcept
                   {limit::at_most_one, "must be at most 1"}};
     for (auto const &[limit, text] : ranges) {
         if (!(one.limits & limit)) continue;
-        Complaint const found = of_entries(
-            one, text, [limit = limit](double x) { return std::isnan(x) || !is_within(x, limit); });
+        Complaint const found = of_entries(one, text, [limit = limit](double x) {
+            return elementary::isnan(x) || !is_within(x, limit);
+        });
         if (found.text != nullptr) return found;
     }
     if (!(one.limits & limit::finite_square)) return {};
     return of_entries(one, "must have a finite square that is not 0",
-                      [](double x) { return x * x == 0.0 || !std::isfinite(x * x); });
+                      [](double x) { return x * x == 0.0 || !elementary::isfinite(x * x); });
 }
 
 /// Requirements on an array, or on two arguments.

@@ -5,13 +5,14 @@
 #ifndef PW85_BASE_PARALLEL_HPP_INCLUDED
 #define PW85_BASE_PARALLEL_HPP_INCLUDED
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
 #ifdef _OPENMP
 #include <omp.h>
 #endif
+
+#include <pw85/algebra/scalar.hpp>
 
 #include "floating_point_environment.hpp"
 
@@ -77,7 +78,7 @@ template <class Visit> void for_parts(std::size_t n, Visit const &visit) noexcep
 {
     std::size_t const count = (n + rows_per_task - 1) / rows_per_task;
     for_tasks(count, count > 1, [&](std::size_t k) {
-        visit(k * rows_per_task, std::min(n, (k + 1) * rows_per_task));
+        visit(k * rows_per_task, minimum(n, (k + 1) * rows_per_task));
     });
 }
 
@@ -88,7 +89,7 @@ Sum of_all_parts(std::size_t n, Part const &part, std::size_t few = 0) noexcept
 {
     constexpr std::size_t most_parts = 64;
     Sum parts[most_parts];
-    std::size_t const count = std::min(most_parts, n / rows_per_task + 1);
+    std::size_t const count = minimum(most_parts, n / rows_per_task + 1);
     for_tasks(count, count > 1 && n > few,
               [&](std::size_t k) { parts[k] = part(n * k / count, n * (k + 1) / count); });
     for (std::size_t k = 1; k < count; ++k) parts[0].add(parts[k]);
@@ -125,9 +126,9 @@ constexpr std::size_t block = 4096;
 /// lanes take some rows at once.
 inline std::size_t rows_of_blocks(std::size_t n, std::size_t rows) noexcept
 {
-    std::size_t const threads = most_threads(), unit = std::max<std::size_t>(1, rows / 64);
+    std::size_t const threads = most_threads(), unit = maximum<std::size_t>(1, rows / 64);
     std::size_t const blocks = (n + rows * threads - 1) / (rows * threads) * threads;
-    return std::max(rows / 8, (n + blocks * unit - 1) / (blocks * unit) * unit);
+    return maximum(rows / 8, (n + blocks * unit - 1) / (blocks * unit) * unit);
 }
 
 /// Calls kernel(range) for blocks of n rows in parallel, and returns the earliest failure. Each
@@ -143,7 +144,7 @@ for_many_blocks(std::size_t n, Kernel const &kernel, std::size_t most_rows) noex
 #pragma omp for schedule(static) nowait
         for (std::ptrdiff_t b = 0; b < blocks; ++b) {
             std::size_t const begin = static_cast<std::size_t>(b) * rows;
-            own.update(kernel(Range{begin, std::min(n, begin + rows)}));
+            own.update(kernel(Range{begin, minimum(n, begin + rows)}));
         }
 #pragma omp critical(pw85_batch)
         first.update(own);

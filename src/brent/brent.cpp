@@ -4,8 +4,6 @@
 // minimize() of brent_gsl.cpp or brent_boost.cpp.
 #include "brent.hpp"
 
-#include <cmath>
-
 #include "brent_minimizer.hpp"
 
 namespace pw85::detail::brent {

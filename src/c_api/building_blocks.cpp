@@ -3,7 +3,6 @@
 #include <pw85.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include <pw85/contact/contact.hpp>
 
@@ -20,8 +19,8 @@ void pw85__cholesky_decomp(double const a[6], double l[6])
     if (any_null(a, l)) return store_nan(l, PW85_SYM);
     in_default_environment([&] { store(cholesky(load_matrix<3>(a)), l); });
     int const status = in_default_environment([&] {
-        if (!std::isnan(l[PW85_SYM - 1])) return PW85_SUCCESS;
-        return std::all_of(a, a + PW85_SYM, [](double x) { return std::isfinite(x); })
+        if (!elementary::isnan(l[PW85_SYM - 1])) return PW85_SUCCESS;
+        return std::all_of(a, a + PW85_SYM, [](double x) { return elementary::isfinite(x); })
                    ? PW85_ENOTPD
                    : PW85_EINVAL;
     });

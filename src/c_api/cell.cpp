@@ -4,9 +4,6 @@
 #include <pw85.h>
 #include <pw85_systems.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include <pw85/distance/bounding_box.hpp>
 
 #include "../base/c_arrays.hpp"
@@ -36,9 +33,9 @@ int nearest_image_limit(pw85_system const &system, double *mu2) noexcept
             return refuse_row(refuse_call(static_cast<int>(status), "pw85_nearest_image_limit",
                                           Argument("q", system.q + 6 * i, 6, limit::definite)),
                               i);
-        largest = std::max(largest, largest_relative_width(lattice, form));
+        largest = maximum(largest, largest_relative_width(lattice, form));
     }
-    *mu2 = largest > 0.0 ? relative_width_limit / largest : HUGE_VAL;
+    *mu2 = largest > 0.0 ? relative_width_limit / largest : infinity<double>();
     return PW85_SUCCESS;
 }
 

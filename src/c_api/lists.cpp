@@ -4,7 +4,7 @@
 #include <pw85.h>
 #include <pw85_systems.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "../base/c_arrays.hpp"
 #include "../lists/arguments.hpp"
@@ -27,7 +27,7 @@ void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t
                std::size_t num_particles, double *next, std::int64_t *next_pair) noexcept
 {
     if (next == nullptr) return;
-    std::fill_n(next, num_particles, HUGE_VAL);
+    std::fill_n(next, num_particles, infinity<double>());
     if (next_pair != nullptr) std::fill_n(next_pair, num_particles, -1);
     for (std::size_t k = 0; k < 2 * num_pairs; ++k) {
         double &least = next[pairs[k]];

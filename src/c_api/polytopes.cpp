@@ -3,7 +3,6 @@
 // polytope.
 #include <pw85_batch.h>
 
-#include <algorithm>
 #include <climits>
 
 #include <pw85/shapes/overlap_polytope.hpp>
@@ -40,7 +39,7 @@ struct Planes {
                     double const *q) const noexcept
     {
         return checked(status, [&](int bad) {
-            std::size_t const n = std::min<std::size_t>(count, INT_MAX / 3);
+            std::size_t const n = minimum<std::size_t>(count, INT_MAX / 3);
             return refuse_call(
                 bad, function, Argument("center", center, 3), Argument("q", q, 6, limit::definite),
                 Argument("normals", n > 0 ? normals : q, 3 * n, limit::rows_not_zero),

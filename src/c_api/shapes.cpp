@@ -6,7 +6,6 @@
 
 #include <pw85/shapes/overlap_polytope.hpp>
 
-#include <algorithm>
 #include <climits>
 #include <cstdint>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The smallest ellipsoid around points in a hyperplane.
-#include <memory>
 #include <new>
 
+#include "../base/owner.hpp"
 #include "affine_hull.hpp"
 
 namespace pw85::detail::enclosing {
@@ -100,8 +100,7 @@ Status AffineHullSearch::run(double tolerance) noexcept
 Status AffineHullSearch::search_along_basis(double tolerance) noexcept
 {
     find_coordinates();
-    std::unique_ptr<Search> const search(new (std::nothrow)
-                                             Search(basis_.size, cloud_.m, rows_.data()));
+    Owner<Search> const search(new (std::nothrow) Search(basis_.size, cloud_.m, rows_.data()));
     if (search == nullptr) return Status::out_of_memory;
     Status const status = search->run(tolerance);
     if (status == Status::success || status == Status::no_convergence) lift(*search);

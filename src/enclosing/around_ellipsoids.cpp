@@ -7,6 +7,7 @@
 #include <new>
 
 #include "../any_dimension/shared.hpp"
+#include "../base/owner.hpp"
 #include "max_det.hpp"
 
 namespace pw85::detail::enclosing {
@@ -232,7 +233,7 @@ template <class Search> [[gnu::cold, gnu::noinline]] Status
 AroundEllipsoids::read_wider(Search const &search, double difference) noexcept
 {
     std::size_t const count = active_.size();
-    std::unique_ptr<MaxDet<Wide>> const wide(new (std::nothrow) MaxDet<Wide>);
+    Owner<MaxDet<Wide>> const wide(new (std::nothrow) MaxDet<Wide>);
     if (wide == nullptr || !wide->reserve(bodies_.n, count)) return Status::out_of_memory;
     for (std::size_t i = 0; i < count; ++i) find_map(active_[i], wide->map(i).x);
     wide->begin_at(search);
@@ -247,7 +248,7 @@ Status AroundEllipsoids::enclose_active(double difference, bool is_final) noexce
 {
     std::size_t const count = active_.size();
     if (!update_frame()) return Status::not_positive_definite;
-    std::unique_ptr<MaxDet<double>> const search(new (std::nothrow) MaxDet<double>);
+    Owner<MaxDet<double>> const search(new (std::nothrow) MaxDet<double>);
     if (search == nullptr || !search->reserve(bodies_.n, count) || !moments_.resize(count) ||
         !multipliers_.resize(count))
         return Status::out_of_memory;

@@ -14,8 +14,6 @@
 #ifndef PW85_ENCLOSING_AROUND_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_ENCLOSING_AROUND_ELLIPSOIDS_HPP_INCLUDED
 
-#include <memory>
-
 #include <pw85/any_dimension/containment.hpp>
 
 #include "../base/array.hpp"

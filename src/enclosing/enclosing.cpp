@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Searches for the smallest ellipsoid around points and around ellipsoids, with their memory.
-#include <memory>
 #include <new>
 
+#include "../base/owner.hpp"
 #include "affine_hull.hpp"
 #include "functions.hpp"
 #include "smallest.hpp"
@@ -28,7 +28,7 @@ bool has_ellipsoid(Status status) noexcept
 template <class Found, class... Given>
 Status run(double tolerance, Outputs const &outputs, Given const &...given) noexcept
 {
-    std::unique_ptr<Found> const search(new (std::nothrow) Found(given...));
+    Owner<Found> const search(new (std::nothrow) Found(given...));
     if (search == nullptr) return Status::out_of_memory;
     Status const status = search->run(tolerance);
     if (has_ellipsoid(status)) put(*search, outputs);

@@ -7,8 +7,6 @@
 // shortest semi-axis c. The share that is kept is S/(4π a b), with the area S. It is at least one
 // half, because the area of a convex body is at least twice that of its shadow π a b.
 #define PW85_SHORT_OPERATIONS // before doubled.hpp: calls take no longer here
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include <pw85/algebra/doubled.hpp>
@@ -32,10 +30,10 @@ class StretchedBall {
     {
         auto const found = principal_axes(converted<Finer<double>>(unit_.to_local(q)));
         for (int i = 0; i < 3; ++i) {
-            semi_axes_[i] = std::sqrt(rounded(found.squares[i]));
+            semi_axes_[i] = elementary::sqrt(rounded(found.squares[i]));
             for (int k = 0; k < 3; ++k) axes_[k][i] = rounded(found.axes[k][i]);
         }
-        shortest_ = std::fmin(semi_axes_[0], std::fmin(semi_axes_[1], semi_axes_[2]));
+        shortest_ = minimum(semi_axes_[0], minimum(semi_axes_[1], semi_axes_[2]));
     }
 
     Vector3 inside(Stream &random) const noexcept { return stretched(random.in_ball()); }
@@ -44,7 +42,7 @@ class StretchedBall {
     {
         for (;;) {
             Vector3 const x = random.in_ball();
-            Vector3 const n = (1.0 / std::sqrt(dot(x, x))) * x;
+            Vector3 const n = (1.0 / elementary::sqrt(dot(x, x))) * x;
             Vector3 kept;
             for (int i = 0; i < 3; ++i) kept[i] = n[i] * (shortest_ / semi_axes_[i]);
             double const height = random.uniform();

@@ -6,6 +6,7 @@
 #ifndef PW85_FORCES_FORCES_HPP_INCLUDED
 #define PW85_FORCES_FORCES_HPP_INCLUDED
 
+#include <algorithm>
 #include <cstring>
 
 #include "../base/floating_point_environment.hpp"
@@ -107,7 +108,7 @@ inline void list_pairs(double const *d_u, Range range, std::size_t count,
 inline Range share(std::size_t n, std::size_t count, std::size_t k) noexcept
 {
     std::size_t const size = (n + count - 1) / count;
-    return Range{std::min(n, k * size), std::min(n, (k + 1) * size)};
+    return Range{minimum(n, k * size), minimum(n, (k + 1) * size)};
 }
 
 /// Calls visit(pairs, pair, later) for the pairs of a list, where `later` is a pair some places
@@ -119,7 +120,7 @@ for_pairs(PairGradients const &given, PairsWithForce const &listed, Visit const 
     PairGradients const pairs = given;
     std::size_t const begin = listed.begin, size = listed.size;
     std::uint16_t const *const numbers = listed.numbers;
-    auto const later = [=](std::size_t k) { return std::min(k + prefetch_distance, size - 1); };
+    auto const later = [=](std::size_t k) { return minimum(k + prefetch_distance, size - 1); };
     if (listed.all)
         for (std::size_t k = 0; k < size; ++k) visit(pairs, begin + k, begin + later(k));
     else
@@ -236,7 +237,7 @@ inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, Pa
     for (std::size_t part = 0; part < num_parts; ++part) {
         auto const [first, end] = share(pairs.num_pairs, num_parts, part);
         for (std::size_t begin = first; begin < end; begin += most_listed) {
-            list_pairs(pairs.d_u, {begin, std::min(end, begin + most_listed)}, listed);
+            list_pairs(pairs.d_u, {begin, minimum(end, begin + most_listed)}, listed);
             own.add(pairs, listed);
             if (sums.virial != nullptr && part % threads == thread)
                 add_virial(pairs, listed, parts[part]);

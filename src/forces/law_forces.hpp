@@ -11,12 +11,13 @@
 #ifndef PW85_FORCES_LAW_FORCES_HPP_INCLUDED
 #define PW85_FORCES_LAW_FORCES_HPP_INCLUDED
 
+#include <algorithm>
 #include <atomic>
-#include <memory>
 #include <new>
 #include <thread>
 
 #include "../base/array.hpp"
+#include "../base/owner.hpp"
 #include "../rows/many_pairs.hpp"
 #include "../simd/lanes/derivatives.hpp"
 #include "../simd/lanes/laws.hpp"
@@ -152,8 +153,8 @@ inline Range particles_of(LawBlock const &made) noexcept
 {
     std::int32_t first = INT32_MAX, last = -1;
     for (std::size_t k = 0; k < 2 * made.size; ++k) {
-        first = std::min(first, made.list.pairs[k]);
-        last = std::max(last, made.list.pairs[k]);
+        first = minimum(first, made.list.pairs[k]);
+        last = maximum(last, made.list.pairs[k]);
     }
     return {static_cast<std::size_t>(first), static_cast<std::size_t>(last + 1)};
 }
@@ -164,7 +165,7 @@ template <class Law> Failure compute_block(LawProblem<Law> const &problem, std::
 {
     std::size_t const pair = k * law_block;
     Failure const bad = compute_block(chosen(), problem.rows.from(pair),
-                                      std::min(law_block, problem.num_pairs - pair), problem.law,
+                                      minimum(law_block, problem.num_pairs - pair), problem.law,
                                       problem.sums, made, sums.energy);
     std::fill_n(sums.virial, 9, 0.0);
     if (problem.sums.virial != nullptr) add_virial(made.gradients(), made.with_force, sums.virial);
@@ -215,14 +216,14 @@ inline void add_blocks(BlockSums const *blocks, std::size_t n, double *energy,
 /// Returns the number of threads that share n pairs.
 inline std::size_t threads_for(std::size_t n) noexcept
 {
-    return n > block ? std::min(most_threads(), n / law_block) : 1;
+    return n > block ? minimum(most_threads(), n / law_block) : 1;
 }
 
 /// Sums in parallel, and returns the status of the first bad pair.
 template <class Law> int sum_law(LawProblem<Law> const &problem, double *energy) noexcept
 {
     std::size_t const threads = threads_for(problem.num_pairs), count = num_slots(threads);
-    std::unique_ptr<LawSlot[]> const slots(new (std::nothrow) LawSlot[count]);
+    Owner<LawSlot[]> const slots(new (std::nothrow) LawSlot[count]);
     Array<BlockSums> block_sums;
     if (slots == nullptr || !block_sums.resize(problem.num_blocks()))
         return refuse(PW85_ENOMEM, "pw85_law_forces_pairs", nullptr, 0);

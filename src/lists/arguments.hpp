@@ -5,8 +5,6 @@
 #ifndef PW85_LISTS_ARGUMENTS_HPP_INCLUDED
 #define PW85_LISTS_ARGUMENTS_HPP_INCLUDED
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include <pw85_systems.h>
@@ -24,7 +22,7 @@ namespace {
 inline std::uint32_t end_of(std::size_t num_particles) noexcept
 {
     return static_cast<std::uint32_t>(
-        std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
+        minimum<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
 }
 
 /// Returns whether n indices are at least 0 and below `end`. `end` is at most 2³¹, so the test is
@@ -80,7 +78,7 @@ inline int refuse_size(char const *function, pw85_system const &system) noexcept
                       {0, function, "periodic", "must be set along at least one vector of the cell",
                        0, 0, none});
     for (std::size_t k = 0; k < 9; ++k)
-        if (periodic[k / 3] && !std::isfinite(cell[k]))
+        if (periodic[k / 3] && !elementary::isfinite(cell[k]))
             return refuse(
                 PW85_EINVAL,
                 {0, function, "cell", "must be finite along the periodic vectors", 0, k, cell[k]});

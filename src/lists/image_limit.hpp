@@ -11,8 +11,6 @@
 #ifndef PW85_LISTS_IMAGE_LIMIT_HPP_INCLUDED
 #define PW85_LISTS_IMAGE_LIMIT_HPP_INCLUDED
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -41,7 +39,7 @@ inline double largest_relative_width(Lattice const &lattice,
 {
     double largest = 0.0;
     for_face_vectors(lattice, [&](auto const &v) {
-        largest = std::max(largest, quadratic_form(q, 1.0 / dot(v, v) * v));
+        largest = maximum(largest, quadratic_form(q, 1.0 / dot(v, v) * v));
     });
     return largest;
 }
@@ -55,17 +53,18 @@ constexpr double relative_width_limit = 0.0625;
 /// the basis has the shortest vectors. The second test uses vᵀQv <= (Σ|v_d|√Q_dd)².
 inline bool have_narrow_boxes(Lattice const &lattice, double const (&squares)[3]) noexcept
 {
-    double shortest = HUGE_VAL;
+    double shortest = infinity<double>();
     for (auto const &b : lattice.basis)
         if (double const square = b[0] * b[0] + b[1] * b[1] + b[2] * b[2]; square > 0.0)
-            shortest = std::min(shortest, square);
+            shortest = minimum(shortest, square);
     if (squares[0] + squares[1] + squares[2] <= relative_width_limit * shortest) return true;
-    double const x = std::sqrt(squares[0]), y = std::sqrt(squares[1]), z = std::sqrt(squares[2]);
+    double const x = elementary::sqrt(squares[0]), y = elementary::sqrt(squares[1]),
+                 z = elementary::sqrt(squares[2]);
     bool narrow = true;
     for_face_vectors(lattice, [&](auto const &v) {
-        narrow =
-            narrow &&
-            4.0 * (std::fabs(v[0]) * x + std::fabs(v[1]) * y + std::fabs(v[2]) * z) <= dot(v, v);
+        narrow = narrow && 4.0 * (elementary::abs(v[0]) * x + elementary::abs(v[1]) * y +
+                                  elementary::abs(v[2]) * z) <=
+                               dot(v, v);
     });
     return narrow;
 }
@@ -77,9 +76,9 @@ inline bool nearest_images_suffice(OneToIndexed const &rows, std::size_t n) noex
     double squares[3] = {rows.q1[0], rows.q1[3], rows.q1[5]};
     for (std::size_t k = 0; k < n; ++k) {
         double const *const q = row_of(rows.q, 6, static_cast<std::size_t>(rows.others[k]));
-        squares[0] = std::max(squares[0], q[0]);
-        squares[1] = std::max(squares[1], q[3]);
-        squares[2] = std::max(squares[2], q[5]);
+        squares[0] = maximum(squares[0], q[0]);
+        squares[1] = maximum(squares[1], q[3]);
+        squares[2] = maximum(squares[2], q[5]);
     }
     if (have_narrow_boxes(*rows.lattice, squares)) return true;
     bool narrow = largest_relative_width(*rows.lattice, c_api::load_matrix<3>(rows.q1)) <=

@@ -26,7 +26,7 @@ struct Margin {
 
     double reduced(double mu2, Vector3 const &sizes) const noexcept
     {
-        return std::max(0.0, mu2 - factor * mu2 - elementary::sqrt(mu2) * dot(weights, sizes));
+        return maximum(0.0, mu2 - factor * mu2 - elementary::sqrt(mu2) * dot(weights, sizes));
     }
 };
 

@@ -17,8 +17,6 @@
 #ifndef PW85_MESHES_DISTANCE_BOUNDS_HPP_INCLUDED
 #define PW85_MESHES_DISTANCE_BOUNDS_HPP_INCLUDED
 
-#include <cmath>
-
 #include "search.hpp"
 
 namespace pw85::detail::meshes {
@@ -53,7 +51,7 @@ class DistanceBounds {
         Candidate best = first;
         for (Vector3 const &along : {s, nearest}) {
             double const length = elementary::sqrt(dot(along, along));
-            if (!(length > 0.0 && length < HUGE_VAL)) continue;
+            if (!(length > 0.0 && length < infinity<double>())) continue;
             Vector3 const n = (1.0 / length) * along;
             double const found = bound(relative, sizes, n);
             if (found > best.bound) best = {found, first.number, n};
@@ -67,7 +65,7 @@ class DistanceBounds {
     /// trace of Q⁻¹, and that at most four times the computed one.
     static double largest_ratio(Form3 const &q) noexcept
     {
-        if (!is_clearly_definite(q)) return HUGE_VAL;
+        if (!is_clearly_definite(q)) return infinity<double>();
         auto const adj = adjugate(q);
         double const inverse = 4.0 * (adj(0, 0) + adj(1, 1) + adj(2, 2)) / determinant(q, adj);
         return 18.0 * elementary::sqrt(inverse);
@@ -78,7 +76,7 @@ class DistanceBounds {
     double bound(Shape const &shape, Vector3 const &sizes, Vector3 const &n) const noexcept
     {
         double const form = quadratic_form(ellipsoid_.form(), n), reach = sum_of(sizes);
-        if (!(form > 0.0 && reach < range)) return -HUGE_VAL;
+        if (!(form > 0.0 && reach < range)) return -infinity<double>();
         constexpr double error = 64 * unit_roundoff<double>();
         return shape.least_projection(n) - elementary::sqrt(form) -
                error * (reach + largest_ratio_);

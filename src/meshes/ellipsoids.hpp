@@ -7,8 +7,6 @@
 
 #include <pw85.h>
 
-#include <cmath>
-
 #include "../base/c_arrays.hpp"
 #include "../base/last_error.hpp"
 #include "../rows/each_row.hpp"
@@ -25,8 +23,8 @@ inline Status validate(pw85_mesh const &mesh, Vector3 const &center, Form3 const
     if (mesh.triangles.size() > 0) {
         neighbors::Box const root = mesh.tree.root();
         for (int d = 0; d < 3; ++d)
-            if (!std::isfinite(root.lower[d] - center[d]) ||
-                !std::isfinite(root.upper[d] - center[d]))
+            if (!elementary::isfinite(root.lower[d] - center[d]) ||
+                !elementary::isfinite(root.upper[d] - center[d]))
                 return Status::invalid_argument;
     }
     return detail::validate(q);

@@ -4,13 +4,12 @@
 #include <pw85.h>
 #include <pw85_systems.h>
 
-#include <cmath>
-#include <memory>
 #include <new>
 
 #include "../base/c_arrays.hpp"
 #include "../base/last_error.hpp"
 #include "../base/objects.hpp"
+#include "../base/owner.hpp"
 #include "../neighbors/order.hpp"
 #include "contact_bounds.hpp"
 #include "ellipsoids.hpp"
@@ -75,7 +74,7 @@ struct Given {
         if (num_triangles > INT32_MAX)
             return note_cause(PW85_EINVAL, "num_triangles", "must be below 2³¹");
         for (std::size_t k = 0; k < 3 * num_vertices; ++k)
-            if (!std::isfinite(vertices[k])) return PW85_EINVAL;
+            if (!elementary::isfinite(vertices[k])) return PW85_EINVAL;
         for (std::size_t k = 0; k < 3 * num_triangles; ++k)
             if (triangles[k] < 0 || static_cast<std::size_t>(triangles[k]) >= num_vertices)
                 return note_cause(PW85_EINVAL, "triangles", "must have indices of vertices", k / 3,
@@ -95,7 +94,7 @@ struct Given {
 int create(Given const &given, pw85_mesh *&mesh) noexcept
 {
     if (int const status = given.check()) return status;
-    std::unique_ptr<pw85_mesh> made(new (std::nothrow) pw85_mesh);
+    Owner<pw85_mesh> made(new (std::nothrow) pw85_mesh);
     Array<Triangle> triangles;
     if (made == nullptr || !triangles.resize(given.num_triangles)) return PW85_ENOMEM;
     for (std::size_t k = 0; k < triangles.size(); ++k) triangles[k] = given.triangle(k);
@@ -117,7 +116,7 @@ NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3
     Status const status = validate(mesh, center, q);
     if (status != Status::success) return {all_nan<ShapeContact<double>>(status), -1};
     NearestTriangle best{all_nan<ShapeContact<double>>(status), -1};
-    best.contact.mu2 = HUGE_VAL;
+    best.contact.mu2 = infinity<double>();
     Ellipsoid const ellipsoid(center, q);
     auto const visit = [&](Triangle const &triangle) {
         auto const &[a, b, c] = ellipsoid.relative(triangle).points;
@@ -131,7 +130,7 @@ NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3
         return best.contact.mu2;
     };
     ContactBounds const bounds(ellipsoid, margin_of_contact(ellipsoid.form()));
-    search(mesh, bounds, HUGE_VAL, visit);
+    search(mesh, bounds, infinity<double>(), visit);
     return best;
 }
 

@@ -35,7 +35,7 @@ FoundDistance find_distance(pw85_mesh const &mesh, Vector3 const &center, Form3 
     Status const status = validate(mesh, center, q);
     FoundDistance best = failure(status);
     if (status != Status::success) return best;
-    best.distance.distance = HUGE_VAL;
+    best.distance.distance = infinity<double>();
     Ellipsoid const ellipsoid(center, q);
     auto const visit = [&](Triangle const &triangle) {
         auto const &[a, b, c] = ellipsoid.relative(triangle).points;
@@ -49,7 +49,7 @@ FoundDistance find_distance(pw85_mesh const &mesh, Vector3 const &center, Form3 
             best = {found, triangle.index, -1};
         return ellipsoid.in_unit(best.distance.distance);
     };
-    search(mesh, DistanceBounds(ellipsoid), HUGE_VAL, visit);
+    search(mesh, DistanceBounds(ellipsoid), infinity<double>(), visit);
     best.inside = is_inside(mesh, center);
     return best;
 }

@@ -14,8 +14,6 @@
 #ifndef PW85_MESHES_SEARCH_HPP_INCLUDED
 #define PW85_MESHES_SEARCH_HPP_INCLUDED
 
-#include <algorithm>
-
 #include <pw85/shapes/overlap_shapes.hpp>
 
 #include "mesh.hpp"
@@ -81,7 +79,7 @@ class Ellipsoid {
 inline Vector3 largest_magnitudes(SolidBox<double> const &box) noexcept
 {
     Vector3 sizes;
-    for (int d = 0; d < 3; ++d) sizes[d] = std::max(absolute(box.lower[d]), absolute(box.upper[d]));
+    for (int d = 0; d < 3; ++d) sizes[d] = maximum(absolute(box.lower[d]), absolute(box.upper[d]));
     return sizes;
 }
 
@@ -89,7 +87,7 @@ inline Vector3 largest_magnitudes(Hull<double, 3> const &triangle) noexcept
 {
     Vector3 sizes{0.0, 0.0, 0.0};
     for (auto const &x : triangle.points)
-        for (int d = 0; d < 3; ++d) sizes[d] = std::max(sizes[d], absolute(x[d]));
+        for (int d = 0; d < 3; ++d) sizes[d] = maximum(sizes[d], absolute(x[d]));
     return sizes;
 }
 
@@ -138,7 +136,7 @@ template <class Bounds, class Visit> class Search {
     {
         std::size_t const below = std::size_t{1} << 3 * level; // triangles in a box of this level
         std::size_t const boxes = (mesh_.triangles.size() + below - 1) / below;
-        return std::min<std::size_t>(neighbors::width, boxes - block * neighbors::width);
+        return minimum<std::size_t>(neighbors::width, boxes - block * neighbors::width);
     }
 
     /// Inserts a candidate into a sorted array.

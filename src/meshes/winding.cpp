@@ -3,7 +3,6 @@
 #include "winding.hpp"
 
 #include <bit>
-#include <cmath>
 
 #include <pw85/algebra/doubled.hpp>
 
@@ -44,7 +43,8 @@ int compare_products(double a, double b, double c, double d) noexcept
 {
     double const first = a * b, second = c * d;
     int const sign = compare(first, second);
-    return sign != 0 ? sign : compare(std::fma(a, b, -first), std::fma(c, d, -second));
+    return sign != 0 ? sign
+                     : compare(elementary::fma(a, b, -first), elementary::fma(c, d, -second));
 }
 
 /// Returns the side of an edge, seen along z, on which the origin is. If it is on the edge, an
@@ -87,9 +87,9 @@ class Ray {
         auto const root = mesh.tree.root();
         double largest = 0.0;
         for (int d = 0; d < 3; ++d)
-            largest = std::fmax(largest, std::fmax(std::fabs(root.lower[d] - point[d]),
-                                                   std::fabs(root.upper[d] - point[d])));
-        exponent_ = largest > 0.0 ? -std::ilogb(largest) : 0;
+            largest = maximum(largest, maximum(elementary::abs(root.lower[d] - point[d]),
+                                               elementary::abs(root.upper[d] - point[d])));
+        exponent_ = largest > 0.0 ? -elementary::ilogb(largest) : 0;
     }
 
     int crossings(int level, std::size_t block) const noexcept
@@ -117,7 +117,7 @@ class Ray {
         Vector3 relative[3];
         for (int i = 0; i < 3; ++i)
             for (int d = 0; d < 3; ++d)
-                relative[i][d] = std::ldexp(triangle.vertices[i][d] - point_[d], exponent_);
+                relative[i][d] = elementary::ldexp(triangle.vertices[i][d] - point_[d], exponent_);
         return crossing(relative);
     }
 

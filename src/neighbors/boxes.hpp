@@ -5,7 +5,6 @@
 #ifndef PW85_NEIGHBORS_BOXES_HPP_INCLUDED
 #define PW85_NEIGHBORS_BOXES_HPP_INCLUDED
 
-#include <algorithm>
 #include <cstring>
 #include <limits>
 

@@ -2,9 +2,6 @@
 // Computes the intervals of deformation.hpp.
 #include "deformation.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace pw85::detail::neighbors {
 
 Deformation::Deformation(Periodicity const &periodicity, double const *now,
@@ -29,7 +26,7 @@ double Deformation::largest_gradient() const noexcept
 {
     double largest = 0.0;
     for (auto const &row : gradient_)
-        for (double const entry : row) largest = std::max(largest, std::fabs(entry));
+        for (double const entry : row) largest = maximum(largest, elementary::abs(entry));
     return largest;
 }
 
@@ -46,7 +43,8 @@ BoxExtent Deformation::taken_back(BoxExtent const &now) const noexcept
 double Deformation::half_width(int d, Vector<double, 3> const &now) const noexcept
 {
     double sum = 0.0;
-    for (int e = 0; e < 3; ++e) sum += std::fabs((e == d ? 1.0 : 0.0) + gradient_[e][d]) * now[e];
+    for (int e = 0; e < 3; ++e)
+        sum += elementary::abs((e == d ? 1.0 : 0.0) + gradient_[e][d]) * now[e];
     return sum;
 }
 
@@ -56,19 +54,19 @@ void Deformation::add_error(double dual_bound, double const *now, double const *
 {
     for (int d = 0; d < 3; ++d) {
         double const change = then[d] - now[d];
-        double residual = change, size = std::fabs(change);
+        double residual = change, size = elementary::abs(change);
         for (int e = 0; e < 3; ++e) {
             residual -= now[e] * gradient_[e][d];
-            size += std::fabs(now[e] * gradient_[e][d]);
+            size += elementary::abs(now[e] * gradient_[e][d]);
         }
-        error_[d] += dual_bound * (std::fabs(residual) + margin * size);
+        error_[d] += dual_bound * (elementary::abs(residual) + margin * size);
     }
 }
 
 Box Deformation::shared_motions(BoxExtent const &now, BoxExtent const &then) const noexcept
 {
     double size = 0.0;
-    for (int d = 0; d < 3; ++d) size += std::fabs(now.center[d]) + now.half_widths[d];
+    for (int d = 0; d < 3; ++d) size += elementary::abs(now.center[d]) + now.half_widths[d];
     Box motions;
     for (int d = 0; d < 3; ++d) {
         double motion = now.center[d] - then.center[d];
@@ -79,10 +77,10 @@ Box Deformation::shared_motions(BoxExtent const &now, BoxExtent const &then) con
         // below 10 u H. The list has room for these: its boxes grow by 16 u H, of which it needs 2
         // (periodicity.hpp).
         double const clearance = then.half_widths[d] - half_width(d, now.half_widths) -
-                                 margin * std::fabs(motion) - error_[d] * size;
+                                 margin * elementary::abs(motion) - error_[d] * size;
         bool const is_empty = !(clearance >= 0.0); // also true for NaN, which an overflow gives
-        motions.lower[d] = is_empty ? HUGE_VAL : motion - clearance;
-        motions.upper[d] = is_empty ? -HUGE_VAL : motion + clearance;
+        motions.lower[d] = is_empty ? infinity<double>() : motion - clearance;
+        motions.upper[d] = is_empty ? -infinity<double>() : motion + clearance;
     }
     return motions;
 }

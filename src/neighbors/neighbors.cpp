@@ -5,8 +5,7 @@
 #include <pw85.h>
 #include <pw85_systems.h>
 
-#include <cmath>
-#include <memory>
+#include <algorithm>
 #include <new>
 
 #include <pw85/distance/bounding_box.hpp>
@@ -14,6 +13,7 @@
 #include "../base/c_arrays.hpp"
 #include "../base/last_error.hpp"
 #include "../base/objects.hpp"
+#include "../base/owner.hpp"
 #include "../base/parallel.hpp"
 #include "bounded_list.hpp"
 #include "build_tree.hpp"
@@ -40,7 +40,7 @@ struct Particles {
     {
         std::size_t const n = system.num_particles;
         return n <= INT32_MAX && (n == 0 || !any_null(system.centers, system.q)) && scale > 0.0 &&
-               std::isfinite(scale) && skin >= 0.0 && std::isfinite(skin);
+               elementary::isfinite(scale) && skin >= 0.0 && elementary::isfinite(skin);
     }
 
     /// Finds the centre of the box of particle i, and its half-widths, which are increased by
@@ -177,12 +177,12 @@ class ListBuilder {
     bool find_all() noexcept
     {
         std::size_t const num_tasks = (tree_.num_groups() + groups_per_task - 1) / groups_per_task;
-        std::size_t const most = std::min(num_tasks, tasks_per_thread * most_threads());
-        std::unique_ptr<Task[]> const tasks(new (std::nothrow) Task[most]);
+        std::size_t const most = minimum(num_tasks, tasks_per_thread * most_threads());
+        Owner<Task[]> const tasks(new (std::nothrow) Task[most]);
         if (tasks == nullptr) return false;
         std::size_t size = 0;
         for (std::size_t first = 0; first < num_tasks; first += most)
-            if (!add_pairs(tasks.get(), first, std::min(most, num_tasks - first), size))
+            if (!add_pairs(tasks.get(), first, minimum(most, num_tasks - first), size))
                 return false;
         return resize_list(size);
     }
@@ -236,7 +236,7 @@ class ListBuilder {
         if (first.index == second.index) exchanged = precedes_zero(image);
         std::int32_t const sign = exchanged ? -1 : 0;
         for (std::int32_t &n : image.n) n = (n ^ sign) - sign;
-        list_.pairs[k] = {std::min(first.index, second.index), std::max(first.index, second.index)};
+        list_.pairs[k] = {minimum(first.index, second.index), maximum(first.index, second.index)};
         if (list_.has_cell) list_.images[k] = image;
     }
 
@@ -259,14 +259,15 @@ class ListBuilder {
 /// The motions that some particles share (Deformation::shared_motions()), or the first failure.
 struct SharedMotions {
     Failure bad{0, PW85_SUCCESS};
-    Box box{{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
+    Box box{{-infinity<double>(), -infinity<double>(), -infinity<double>()},
+            {infinity<double>(), infinity<double>(), infinity<double>()}};
 
     void add(SharedMotions const &other) noexcept
     {
         bad.update(other.bad);
         for (int d = 0; d < 3; ++d) {
-            box.lower[d] = std::max(box.lower[d], other.box.lower[d]);
-            box.upper[d] = std::min(box.upper[d], other.box.upper[d]);
+            box.lower[d] = maximum(box.lower[d], other.box.lower[d]);
+            box.upper[d] = minimum(box.upper[d], other.box.upper[d]);
         }
     }
 
@@ -304,7 +305,7 @@ int create(pw85_system const &system, double scale, double skin, ListLimits cons
     Particles const particles{system, scale, skin};
     Periodicity lattice;
     if (int const status = prepare(particles, lattice)) return status;
-    std::unique_ptr<pw85_neighbors> made(new (std::nothrow) pw85_neighbors);
+    Owner<pw85_neighbors> made(new (std::nothrow) pw85_neighbors);
     if (made == nullptr) return PW85_ENOMEM;
     made->scale = scale;
     made->skin = skin;

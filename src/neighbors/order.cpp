@@ -40,7 +40,7 @@ int first_bit(Array<KeyedIndex> const &points) noexcept
 {
     std::uint64_t different = 0;
     for (std::size_t i = 0; i < points.size(); ++i) different |= points[i].key ^ points[0].key;
-    return std::max(0, static_cast<int>(std::bit_width(different)) - digits * digit_bits);
+    return maximum(0, static_cast<int>(std::bit_width(different)) - digits * digit_bits);
 }
 
 /// Makes one pass of a radix sort. Points with the same digit keep their order.
@@ -79,7 +79,7 @@ std::uint64_t key_of(Vector<double, 3> const &point, Box const &around) noexcept
         double const part =
             (point[d] - around.lower[d]) / (around.upper[d] - around.lower[d]) * parts;
         // In a box without width the result is NaN, and the point goes to the last part.
-        key |= spread(part < parts - 1.0 ? static_cast<std::uint64_t>(std::max(part, 0.0))
+        key |= spread(part < parts - 1.0 ? static_cast<std::uint64_t>(maximum(part, 0.0))
                                          : (1u << coordinate_bits) - 1u)
                << d;
     }
@@ -89,8 +89,8 @@ std::uint64_t key_of(Vector<double, 3> const &point, Box const &around) noexcept
 bool Partition::prepare(Array<std::uint64_t> const &keys) noexcept
 {
     std::size_t const n = keys.size();
-    bits_ = std::min(most_bits, static_cast<int>(std::bit_width(n / points_per_part)));
-    num_shares_ = std::min(most_shares, n / points_per_part + 1);
+    bits_ = minimum(most_bits, static_cast<int>(std::bit_width(n / points_per_part)));
+    num_shares_ = minimum(most_shares, n / points_per_part + 1);
     if (!ends_.resize(num_shares_ * num_parts())) return false;
     std::fill_n(ends_.data(), ends_.size(), 0u);
     for_shares(n, [&](std::uint32_t *counts, std::size_t begin, std::size_t end) {

@@ -60,8 +60,7 @@ class Partition {
     {
         std::size_t const rows = (n + num_shares_ - 1) / num_shares_;
         for_tasks(num_shares_, num_shares_ > 1, [&](std::size_t k) {
-            visit(ends_.data() + k * num_parts(), std::min(n, k * rows),
-                  std::min(n, (k + 1) * rows));
+            visit(ends_.data() + k * num_parts(), minimum(n, k * rows), minimum(n, (k + 1) * rows));
         });
     }
 

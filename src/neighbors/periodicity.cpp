@@ -3,7 +3,7 @@
 // bounds on rounding errors.
 #include "periodicity.hpp"
 
-#include <cmath>
+#include <cstdlib>
 
 #include "../periodic/nearest_image.hpp"
 #include "../periodic/periodic_cell.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 double largest_entry(Vector<double, 3> const &v) noexcept
 {
-    return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
+    return maximum(maximum(elementary::abs(v[0]), elementary::abs(v[1])), elementary::abs(v[2]));
 }
 
 } // namespace
@@ -33,7 +33,7 @@ bool Periodicity::prepare(double const *cell, int const *periodic) noexcept
         for (int d = 0; d < 3 && periodic_[k]; ++d) {
             for (int l = 0; l < 3; ++l) {
                 basis_[k][d] += multiples[k][l] * completed[3 * l + d];
-                size_[k][d] += std::fabs(multiples[k][l] * completed[3 * l + d]);
+                size_[k][d] += elementary::abs(multiples[k][l] * completed[3 * l + d]);
             }
             dual_[k][d] = lattice.dual[k][d];
             multiples_[k][d] = multiples[k][d];
@@ -44,12 +44,12 @@ bool Periodicity::prepare(double const *cell, int const *periodic) noexcept
 
 double Periodicity::shortest() const noexcept
 {
-    double least = HUGE_VAL;
+    double least = infinity<double>();
     for (int k = 0; k < 3; ++k)
         if (periodic_[k])
-            least = std::min(least,
-                             std::sqrt(basis_[k][0] * basis_[k][0] + basis_[k][1] * basis_[k][1] +
-                                       basis_[k][2] * basis_[k][2]));
+            least = minimum(least, elementary::sqrt(basis_[k][0] * basis_[k][0] +
+                                                    basis_[k][1] * basis_[k][1] +
+                                                    basis_[k][2] * basis_[k][2]));
     return least;
 }
 
@@ -65,7 +65,7 @@ bool Periodicity::reduce(Vector<double, 3> const &point, LatticeVector &vector) 
     if (!any_) return true;
     for (int k = 0; k < 3; ++k) {
         double const n = multiples_in(point, k);
-        if (!(std::fabs(n) <= most_multiples)) return false;
+        if (!(elementary::abs(n) <= most_multiples)) return false;
         vector.of_reduced.n[k] = static_cast<std::int32_t>(n);
     }
     return set_multiples_of_cell(vector);
@@ -102,7 +102,7 @@ Box Periodicity::wrapped(Vector<double, 3> const &center, Vector<double, 3> cons
     for (int d = 0; d < 3; ++d) {
         double const wrapped = center[d] - move[d];
         double const extent =
-            half_widths[d] + margin * (std::fabs(center[d]) + size[d] + half_widths[d]);
+            half_widths[d] + margin * (elementary::abs(center[d]) + size[d] + half_widths[d]);
         box.lower[d] = wrapped - extent;
         box.upper[d] = wrapped + extent;
     }
@@ -116,8 +116,10 @@ Box Periodicity::moved(Box const &box, Multiples const &multiples) const noexcep
     Vector<double, 3> const move = sum(multiples, basis_), size = sum(magnitudes, size_);
     Box result;
     for (int d = 0; d < 3; ++d) {
-        result.lower[d] = box.lower[d] + move[d] - margin * (size[d] + std::fabs(box.lower[d]));
-        result.upper[d] = box.upper[d] + move[d] + margin * (size[d] + std::fabs(box.upper[d]));
+        result.lower[d] =
+            box.lower[d] + move[d] - margin * (size[d] + elementary::abs(box.lower[d]));
+        result.upper[d] =
+            box.upper[d] + move[d] + margin * (size[d] + elementary::abs(box.upper[d]));
     }
     return result;
 }
@@ -129,9 +131,9 @@ Vector<double, 3> Periodicity::reach(Box const &box) const noexcept
     for (int k = 0; k < 3; ++k) {
         if (!periodic_[k]) continue;
         for (int d = 0; d < 3; ++d)
-            reach[k] += std::fabs(dual_[k][d]) * (box.upper[d] - box.lower[d]);
+            reach[k] += elementary::abs(dual_[k][d]) * (box.upper[d] - box.lower[d]);
         // at most one more than the exact value, for rounding errors
-        reach[k] = std::floor(1.0 + reach[k]);
+        reach[k] = elementary::floor(1.0 + reach[k]);
     }
     return reach;
 }
@@ -141,7 +143,7 @@ bool Periodicity::set_multiples_of_cell(LatticeVector &vector) const noexcept
     for (int l = 0; l < 3; ++l) {
         double n = 0.0;
         for (int k = 0; k < 3; ++k) n += vector.of_reduced.n[k] * multiples_[k][l];
-        if (!(std::fabs(n) <= most_multiples)) return false;
+        if (!(elementary::abs(n) <= most_multiples)) return false;
         vector.of_cell.n[l] = static_cast<std::int32_t>(n);
     }
     return true;
@@ -161,7 +163,7 @@ double Periodicity::dual_of_cell_bound(int l) const noexcept
 {
     double bound = 0.0;
     for (int k = 0; k < 3; ++k)
-        bound += 2.0 * std::fabs(multiples_[k][l]) *
+        bound += 2.0 * elementary::abs(multiples_[k][l]) *
                  largest_entry({dual_[k][0], dual_[k][1], dual_[k][2]});
     return bound;
 }

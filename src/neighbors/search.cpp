@@ -54,7 +54,7 @@ bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<LatticeVecto
     found.clear();
     Box const root = tree.root();
     std::size_t const begin = task * groups_per_task,
-                      end = std::min(begin + groups_per_task, tree.num_groups());
+                      end = minimum(begin + groups_per_task, tree.num_groups());
     double const most_of_task = most * static_cast<double>((end - begin) * Tree::group_size);
     for (std::size_t group = begin; group < end; ++group)
         for (std::size_t image = 0; image < images.size(); ++image) {

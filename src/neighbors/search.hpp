@@ -5,7 +5,6 @@
 #ifndef PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 #define PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 
-#include <cmath>
 #include <span>
 
 #include "../base/array.hpp"
@@ -63,8 +62,8 @@ class FoundPairs {
 
 /// Largest numbers for which a list is made.
 struct ListLimits {
-    double images = most_multiples; ///< lattice vectors, of which the list has one of v and -v
-    double pairs = HUGE_VAL;        ///< per particle of a task; lists have a pair once
+    double images = most_multiples;    ///< lattice vectors, of which the list has one of v and -v
+    double pairs = infinity<double>(); ///< per particle of a task; lists have a pair once
 };
 
 /// Lists the lattice vectors by which a tree can be moved and still intersect itself. Number 0 is

@@ -4,7 +4,6 @@
 #include "lattice.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <pw85/algebra/symmetric.hpp>
 
@@ -49,10 +48,11 @@ bool is_finite(double const *cell) noexcept
 bool load(double const *cell, Basis &basis) noexcept
 {
     double largest = 0.0;
-    for (int k = 0; k < 9; ++k) largest = std::max(largest, std::fabs(cell[k]));
+    for (int k = 0; k < 9; ++k) largest = maximum(largest, elementary::abs(cell[k]));
     if (!(is_finite(cell) && largest > 0.0)) return false;
     bool const in_range = largest < unscaled_limit && largest * unscaled_limit > 1.0;
-    basis.unit = in_range ? 1.0 : std::ldexp(1.0, std::max(std::ilogb(largest), -1022));
+    basis.unit =
+        in_range ? 1.0 : elementary::ldexp(1.0, maximum(elementary::ilogb(largest), -1022));
     for (int i = 0; i < 3; ++i)
         for (int d = 0; d < 3; ++d) {
             basis.b[i][d] = cell[3 * i + d] / basis.unit;
@@ -80,7 +80,7 @@ struct Triple {
 Triple shortest_triple(Gram const &g) noexcept
 {
     double const sum = g.square[0] + g.square[1] + g.square[2];
-    Triple shortest{{}, HUGE_VAL};
+    Triple shortest{{}, infinity<double>()};
     for (double const second : {-1.0, 1.0})
         for (double const third : {-1.0, 1.0}) {
             double const products =
@@ -95,8 +95,9 @@ Triple shortest_triple(Gram const &g) noexcept
 void subtract(Basis &basis, std::ptrdiff_t i, double multiple, std::ptrdiff_t j) noexcept
 {
     for (int d = 0; d < 3; ++d) {
-        basis.b[i][d] = std::fma(-multiple, basis.b[j][d], basis.b[i][d]);
-        basis.multiples[i][d] = std::fma(-multiple, basis.multiples[j][d], basis.multiples[i][d]);
+        basis.b[i][d] = elementary::fma(-multiple, basis.b[j][d], basis.b[i][d]);
+        basis.multiples[i][d] =
+            elementary::fma(-multiple, basis.multiples[j][d], basis.multiples[i][d]);
     }
 }
 
@@ -104,7 +105,7 @@ void subtract(Basis &basis, std::ptrdiff_t i, double multiple, std::ptrdiff_t j)
 /// product, `square` and `other` are their squares.
 bool is_reducible(double product, double square, double other) noexcept
 {
-    double const excess = std::fabs(product) - 0.5 * other;
+    double const excess = elementary::abs(product) - 0.5 * other;
     return excess > 0.0 && excess * excess > tolerance * tolerance * (square * other);
 }
 
@@ -115,7 +116,7 @@ bool shorten(Basis &basis, Gram const &g) noexcept
         for (int const i : {(k + 1) % 3, (k + 2) % 3}) {
             int const j = 3 - i - k;
             if (!is_reducible(g.product[k], g.square[i], g.square[j])) continue;
-            subtract(basis, i, std::round(g.product[k] / g.square[j]), j);
+            subtract(basis, i, elementary::round(g.product[k] / g.square[j]), j);
             return true;
         }
     Triple const triple = shortest_triple(g);
@@ -216,7 +217,8 @@ bool prepare_rectangular(double const *cell, Lattice &lattice) noexcept
 {
     for (int const k : {1, 2, 3, 5, 6, 7})
         if (!(cell[k] == 0.0)) return false;
-    double const lengths[] = {std::fabs(cell[0]), std::fabs(cell[4]), std::fabs(cell[8])};
+    double const lengths[] = {elementary::abs(cell[0]), elementary::abs(cell[4]),
+                              elementary::abs(cell[8])};
     for (double const length : lengths)
         if (!(length < unscaled_limit && length * unscaled_limit > 1.0)) return false;
     double const shortness =

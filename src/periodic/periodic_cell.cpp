@@ -3,9 +3,6 @@
 // it. periodic_cell.hpp lists the callers.
 #include "periodic_cell.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <pw85/algebra/vector.hpp>
 
 namespace pw85::detail::kernels {
@@ -14,7 +11,7 @@ namespace {
 
 double largest_entry(Vector<double, 3> const &v) noexcept
 {
-    return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
+    return maximum(maximum(elementary::abs(v[0]), elementary::abs(v[1])), elementary::abs(v[2]));
 }
 
 /// Returns a vector along x × y of the given length; zero if x and y are parallel.
@@ -26,7 +23,7 @@ Vector<double, 3> normal(Vector<double, 3> const &x, Vector<double, 3> const &y,
     double const largest = largest_entry(product);
     if (!(largest > 0.0)) return {0.0, 0.0, 0.0};
     Vector<double, 3> const direction = 1.0 / largest * product;
-    return length / std::sqrt(dot(direction, direction)) * direction;
+    return length / elementary::sqrt(dot(direction, direction)) * direction;
 }
 
 /// Returns the axis that makes the greatest angle with a vector.
@@ -35,7 +32,7 @@ Vector<double, 3> axis_across(Vector<double, 3> const &v) noexcept
     Vector<double, 3> axis = {0.0, 0.0, 0.0};
     int least = 0;
     for (int d = 1; d < 3; ++d)
-        if (std::fabs(v[d]) < std::fabs(v[least])) least = d;
+        if (elementary::abs(v[d]) < elementary::abs(v[least])) least = d;
     axis[least] = 1.0;
     return axis;
 }
@@ -50,7 +47,7 @@ void complete(Vector<double, 3> (&rows)[3], int const *periodic) noexcept
             rows[last] = normal(rows[k], rows[next], largest_entry(rows[k]));
         } else if (!periodic[k] && periodic[next] && periodic[last]) {
             rows[k] = normal(rows[next], rows[last],
-                             std::max(largest_entry(rows[next]), largest_entry(rows[last])));
+                             maximum(largest_entry(rows[next]), largest_entry(rows[last])));
         }
     }
 }
@@ -62,7 +59,7 @@ bool select_periodic(double const *cell, int const *periodic, double (&vectors)[
     bool finite = true;
     for (int k = 0; k < 9; ++k) {
         vectors[k] = periodic[k / 3] ? cell[k] : 0.0;
-        finite = finite && std::isfinite(vectors[k]);
+        finite = finite && elementary::isfinite(vectors[k]);
     }
     return finite && (periodic[0] || periodic[1] || periodic[2]);
 }

@@ -144,13 +144,21 @@ template <class... Missing> [[gnu::cold]] int refuse_rows(char const *const *nam
     return refuse_rows(names, n, missing, sizeof...(are_missing));
 }
 
+/// Returns the largest of some numbers.
+consteval std::size_t largest_of(auto... numbers) noexcept
+{
+    std::size_t largest = 0;
+    ((largest = maximum<std::size_t>(largest, numbers)), ...);
+    return largest;
+}
+
 /// Calls a function of one row for n rows, in parallel, and returns the status of the first bad
 /// one. The names are those of refuse_rows().
 template <class Function, class... Arguments>
 int each_row(char const *const (&names)[sizeof...(Arguments) + 1], std::size_t n,
              Function const &function, Arguments... arguments) noexcept
 {
-    constexpr std::size_t widest = std::max({6, Arguments::width...});
+    constexpr std::size_t widest = largest_of(6u, std::size_t{Arguments::width}...);
     if (n == 0) return static_cast<int>(Status::success);
     if (n > PTRDIFF_MAX / (widest * sizeof(double)) || (arguments.is_missing() || ...))
         return refuse_rows(names, n, arguments.is_missing()...);

@@ -6,8 +6,6 @@
 #ifndef PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 #define PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 
-#include <algorithm>
-
 #include "../base/c_arrays.hpp"
 #include "../simd/lanes.hpp"
 #include "../simd/lanes/overlap.hpp"
@@ -63,7 +61,7 @@ Failure scalar_fallback_all(Target const &target, Rows const &rows, Arrays const
     Failure first{0, 0};
     for (std::size_t k = 0; k < rejected_lanes.size; k += group) {
         std::uint16_t const *const indices = rejected_lanes.indices + k;
-        std::size_t const count = std::min(group, rejected_lanes.size - k);
+        std::size_t const count = minimum(group, rejected_lanes.size - k);
         gather(rows, indices, count, pairs);
         for (std::size_t i = 0; i < count; ++i)
             first.update({indices[i], scalar_fallback(target, pairs[i], out.from(indices[i]))});
@@ -154,12 +152,12 @@ template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any
     Target const &target = chosen();
     unsigned char answers[any_chunk_size];
     for (std::size_t begin = 0; begin < n; begin += any_chunk_size) {
-        std::size_t const count = std::min(any_chunk_size, n - begin);
+        std::size_t const count = minimum(any_chunk_size, n - begin);
         Failure const bad = compute(target, rows.from(begin), count, OverlapArray{answers});
-        unsigned char const *const found =
-            std::find_if(answers, answers + count, [](int x) { return x != 0; });
-        if (found == answers + count) continue;
-        any = *found == 1 ? 1 : -1;
+        std::size_t found = 0;
+        while (found < count && answers[found] == 0) ++found;
+        if (found == count) continue;
+        any = answers[found] == 1 ? 1 : -1;
         if (any == 1) return PW85_SUCCESS;
         return refuse_first({begin + bad.index, bad.status}, [&](std::size_t i) {
             return refuse_row_of(target, rows, OverlapArray{answers}, i);

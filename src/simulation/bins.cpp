@@ -2,6 +2,7 @@
 // Sorts the particles of a simulation into bins.
 #include "bins.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "../base/last_error.hpp"
@@ -25,7 +26,7 @@ int Bins::prepare(Configuration const &configuration, double side, std::size_t m
     neighbors::Periodicity periodicity;
     if (!cell_.find_lattice(periodicity)) return PW85_EINVAL;
     std::size_t const n = configuration.size();
-    if (double const longest = std::max(n > 0 ? side : 0.0, largest_of_cell()); longest > 0.0)
+    if (double const longest = maximum(n > 0 ? side : 0.0, largest_of_cell()); longest > 0.0)
         per_unit_ = unit_of(longest).to_local(1.0);
     for (int k = 0; k < 3; ++k)
         dual_[k] =
@@ -52,7 +53,7 @@ double Bins::largest_of_cell() const noexcept
 {
     double largest = 0.0;
     for (int k = 0; k < 3 && cell_.exists; ++k)
-        if (cell_.periodic[k]) largest = std::max(largest, largest_coordinate(cell_.vector(k)));
+        if (cell_.periodic[k]) largest = maximum(largest, largest_coordinate(cell_.vector(k)));
     return largest;
 }
 
@@ -66,7 +67,7 @@ void Bins::divide(double side, double most) noexcept
     for (int k = 0; k < 3; ++k) {
         divided[k] = largest_coordinate(dual_[k]) > 0.0;
         parts_[k] = 1;
-        fit[k] = divided[k] ? std::max(1.0, 1.0 / (side * magnitude(dual_[k]))) : 1.0;
+        fit[k] = divided[k] ? maximum(1.0, 1.0 / (side * magnitude(dual_[k]))) : 1.0;
     }
     while (!all_fit) {
         double all = 1.0;
@@ -76,9 +77,9 @@ void Bins::divide(double side, double most) noexcept
             if (divided[k]) all *= fit[k];
         }
         double const share = most / all;
-        double const fewer = std::min(1.0, num_divided == 3   ? std::cbrt(share)
-                                           : num_divided == 2 ? std::sqrt(share)
-                                                              : share);
+        double const fewer = minimum(1.0, num_divided == 3   ? elementary::cbrt(share)
+                                          : num_divided == 2 ? elementary::sqrt(share)
+                                                             : share);
         all_fit = true;
         for (int k = 0; k < 3; ++k) {
             if (!divided[k]) continue;
@@ -154,7 +155,7 @@ void Bins::insert(std::size_t i, Vector3 const &center, Vector3 const &half_widt
     std::int32_t const bin = locate(center, places_[i].cell, box);
     for (int d = 0; d < 3; ++d) {
         box.half_widths[d] = to_local(half_widths[d]);
-        largest_[d] = std::max(largest_[d], half_widths[d]);
+        largest_[d] = maximum(largest_[d], half_widths[d]);
     }
     insert(i, bin, box);
     widen_margin(magnitude_of(center, box));
@@ -173,7 +174,7 @@ void Bins::add(std::size_t i, std::size_t in_configuration, Vector3 const &cente
 /// from the centres on.
 void Bins::widen_margin(double magnitude) noexcept
 {
-    farthest_ = std::max(farthest_, magnitude);
+    farthest_ = maximum(farthest_, magnitude);
     margin_ = static_cast<float>(0x1p-20 * (farthest_ + per_unit_ * largest_coordinate(largest_)));
 }
 
@@ -183,7 +184,7 @@ void Bins::widen_margin(double magnitude) noexcept
 double Bins::magnitude_of(Vector3 const &center, Box const &box) const noexcept
 {
     double largest = 0x1p-28 * (per_unit_ * largest_coordinate(center));
-    for (float const x : box.center) largest = std::max(largest, std::abs(double{x}));
+    for (float const x : box.center) largest = maximum(largest, elementary::abs(double{x}));
     return largest;
 }
 
@@ -191,9 +192,9 @@ std::int32_t Bins::locate(Vector3 const &center, Multiples &home, Box &box) cons
 {
     std::int32_t part[3];
     for (int k = 0; k < 3; ++k) {
-        double const x = dot(dual_[k], center), cell = std::floor(x);
+        double const x = dot(dual_[k], center), cell = elementary::floor(x);
         home.n[k] = static_cast<std::int32_t>(cell);
-        part[k] = std::min(parts_[k] - 1, static_cast<std::int32_t>((x - cell) * parts_[k]));
+        part[k] = minimum(parts_[k] - 1, static_cast<std::int32_t>((x - cell) * parts_[k]));
     }
     Vector3 const inside = center - cell_.translation(home);
     for (int d = 0; d < 3; ++d) box.center[d] = to_local(inside[d]);
@@ -203,11 +204,11 @@ std::int32_t Bins::locate(Vector3 const &center, Multiples &home, Box &box) cons
 std::int32_t Bins::find_range(int k, Vector3 const &center, Vector3 const &half_widths,
                               Part &part) const noexcept
 {
-    double const x = dot(dual_[k], center), home = std::floor(x);
+    double const x = dot(dual_[k], center), home = elementary::floor(x);
     double const reach =
-        magnitude_of_dot(dual_[k], half_widths + largest_) + 0x1p-40 * (1.0 + std::abs(x));
-    auto const first = static_cast<std::int32_t>(std::floor((x - home - reach) * parts_[k]));
-    auto const last = static_cast<std::int32_t>(std::floor((x - home + reach) * parts_[k]));
+        magnitude_of_dot(dual_[k], half_widths + largest_) + 0x1p-40 * (1.0 + elementary::abs(x));
+    auto const first = static_cast<std::int32_t>(elementary::floor((x - home - reach) * parts_[k]));
+    auto const last = static_cast<std::int32_t>(elementary::floor((x - home + reach) * parts_[k]));
     std::int32_t cell = first / parts_[k];
     cell -= first < cell * parts_[k];
     part = {first - cell * parts_[k], cell, last - first + 1};

@@ -13,9 +13,7 @@
 #ifndef PW85_SIMULATION_BINS_HPP_INCLUDED
 #define PW85_SIMULATION_BINS_HPP_INCLUDED
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -80,7 +78,7 @@ class Bins {
                     Vector3 const shift = cell_.translation(cell) - from;
                     for (int d = 0; d < 3; ++d) query.shift[d] = Float4{} + to_local(shift[d]);
                     for (int k = 0; k < 3; ++k) query.cell.n[k] = cell.n[k] + home.n[k];
-                    std::int32_t const count = std::min(c.left, parts_[2] - c.number);
+                    std::int32_t const count = minimum(c.left, parts_[2] - c.number);
                     std::size_t const bin = bin_of(a.number, b.number, c.number);
                     for (std::int32_t k = 0; k < count; ++k)
                         visit_bin(bin + static_cast<std::size_t>(k), query, visit_one);

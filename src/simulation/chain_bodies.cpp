@@ -36,7 +36,7 @@ ChainBody ChainBodies::read(std::size_t particle) const noexcept
 {
     Form3 q = unit_.to_local(configuration_.q[particle]);
     if (configuration_.dimensions == 2) q[5] = 0.5 * (q[0] + q[3]);
-    double const root = std::sqrt(trace(q));
+    double const root = elementary::sqrt(trace(q));
     return {configuration_.centers[particle], configuration_.half_widths[particle], q, root,
             1.0 / root};
 }

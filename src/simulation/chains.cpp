@@ -35,7 +35,10 @@ class StallCheck {
 };
 
 /// Rounds a path down to a multiple of `digit`, a power of two. The path must be below 2⁵³ digit.
-double rounded_down(double path, double digit) noexcept { return std::floor(path / digit) * digit; }
+double rounded_down(double path, double digit) noexcept
+{
+    return elementary::floor(path / digit) * digit;
+}
 
 } // namespace
 
@@ -51,7 +54,7 @@ double Chains::advance(Stage const &stage, double digit) noexcept
     Vector3 const start = bodies_[stage.body].center;
     double const path = search_.path();
     double back =
-        std::max(digit, 0x1p-50 * (largest_coordinate(start) + bodies_.longest_semi_axis()));
+        maximum(digit, 0x1p-50 * (largest_coordinate(start) + bodies_.longest_semi_axis()));
     for (double moved = rounded_down(search_.ends_at_contact() ? path - back : path, digit);
          moved > 0.0; back *= 4.0) {
         Vector3 const center = start + moved * stage.direction;
@@ -77,7 +80,7 @@ int Chains::run(EventChain const &chain, PressureSample &sample) noexcept
         // A stage depends on the largest particle alone. A particle that touches nothing on a stage
         // continues with the next one.
         Stage const stage = {i, chain.direction,
-                             std::min(remaining, stage_size * bodies_.longest_semi_axis())};
+                             minimum(remaining, stage_size * bodies_.longest_semi_axis())};
         if (!search_.run(stage)) return PW85_ENOMEM;
         double const moved = advance(stage, digit);
         remaining -= moved;

@@ -4,8 +4,6 @@
 #ifndef PW85_SIMULATION_CHANGE_HPP_INCLUDED
 #define PW85_SIMULATION_CHANGE_HPP_INCLUDED
 
-#include <cmath>
-
 #include <pw85/algebra/philox.hpp>
 
 #include "configuration.hpp"
@@ -45,7 +43,7 @@ class Change {
         }
         double const factor = (1.0 + 0.5 * x) / (1.0 - 0.5 * x);
         if (type == ChangeType::aspect) {
-            double const other = 1.0 / (dimensions == 2 ? factor : std::sqrt(factor));
+            double const other = 1.0 / (dimensions == 2 ? factor : elementary::sqrt(factor));
             for (int d = 0; d < dimensions; ++d)
                 scales_[d] = static_cast<int>(choice) == d ? factor : other;
             return;

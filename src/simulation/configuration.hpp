@@ -5,8 +5,6 @@
 #ifndef PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 #define PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 
-#include <algorithm>
-#include <cmath>
 #include <span>
 
 #include <pw85_systems.h>
@@ -142,9 +140,9 @@ struct Configuration {
     /// translation leads to places that shorter ones reach, too.
     [[gnu::always_inline]] double longest_useful_translation() const noexcept
     {
-        if (!is_closed()) return HUGE_VAL;
+        if (!is_closed()) return infinity<double>();
         double longest = 0.0;
-        for (int k = 0; k < dimensions; ++k) longest = std::max(longest, magnitude(cell.vector(k)));
+        for (int k = 0; k < dimensions; ++k) longest = maximum(longest, magnitude(cell.vector(k)));
         return longest;
     }
 
@@ -170,7 +168,7 @@ struct Configuration {
     {
         double longest = 0.0;
         for (Vector3 const &axes : std::span(semi_axes.data(), size()))
-            for (int d = 0; d < dimensions; ++d) longest = std::max(longest, axes[d]);
+            for (int d = 0; d < dimensions; ++d) longest = maximum(longest, axes[d]);
         return longest;
     }
 

@@ -2,6 +2,8 @@
 // The search for the next event of a chain: see contact_search.hpp.
 #include "contact_search.hpp"
 
+#include <algorithm>
+
 #include <pw85/motion/free_path.hpp>
 
 #include "path_bounds.hpp"
@@ -52,8 +54,7 @@ bool ContactSearch::run(Stage const &stage) noexcept
             improve();
         else
             find_contact();
-    double const path =
-        obstacles_.is_empty() ? length_ : std::min(length_, obstacles_.last().bound);
+    double const path = obstacles_.is_empty() ? length_ : minimum(length_, obstacles_.last().bound);
     path_ = bodies_.length_unit().to_caller(path);
     return true;
 }
@@ -151,7 +152,7 @@ void ContactSearch::insert(Obstacle const &obstacle) noexcept
 /// Improves the two least bounds. Removes obstacles that cannot be touched on the stage.
 void ContactSearch::improve() noexcept
 {
-    std::size_t const count = std::min(obstacles_.size(), std::size_t{2});
+    std::size_t const count = minimum(obstacles_.size(), std::size_t{2});
     Obstacle pair[2];
     pair[0] = obstacles_.pop();
     pair[1] = count == 2 ? obstacles_.pop() : pair[0];
@@ -160,7 +161,7 @@ void ContactSearch::improve() noexcept
     for (std::size_t lane = 0; lane < count; ++lane) {
         Obstacle &obstacle = pair[lane];
         if (!obstacle.is_exact) {
-            obstacle.bound = std::max(obstacle.bound, better.bound[lane]);
+            obstacle.bound = maximum(obstacle.bound, better.bound[lane]);
             obstacle.t = better.t[lane];
             obstacle.step = better.step[lane];
         }

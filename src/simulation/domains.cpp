@@ -2,6 +2,8 @@
 // Divides the cell as domains.hpp says.
 #include "domains.hpp"
 
+#include <algorithm>
+
 #include "../base/parallel.hpp"
 
 namespace pw85::detail::simulation {
@@ -19,7 +21,8 @@ constexpr double rounding_of_parts = 0x1p-40;
 double most_parts_of(std::size_t num_particles, int dimensions) noexcept
 {
     double const domains = static_cast<double>(num_particles) / particles_per_domain;
-    return std::max(2.0, std::floor(dimensions == 2 ? std::sqrt(domains) : std::cbrt(domains)));
+    return maximum(2.0, elementary::floor(dimensions == 2 ? elementary::sqrt(domains)
+                                                          : elementary::cbrt(domains)));
 }
 
 /// Returns the largest even number of parts of a vector, or 1.
@@ -27,7 +30,8 @@ double most_parts_of(std::size_t num_particles, int dimensions) noexcept
 /// @param reach the least width of a part, over that of the cell
 std::uint32_t parts_of(double reach, double most) noexcept
 {
-    double const parts = std::min({most, std::floor(1.0 / reach), double{Label::most_parts}});
+    double const parts =
+        minimum(minimum(most, elementary::floor(1.0 / reach)), double{Label::most_parts});
     return parts >= 2.0 ? static_cast<std::uint32_t>(parts) & ~1u : 1;
 }
 
@@ -87,10 +91,10 @@ Domains::Parts Domains::parts_near(int k, Vector3 const &center, double range) c
     double const x = dot(dual_[k], center) + origin_[k], all = parts_[k];
     double const reach =
         sum_of_magnitudes(dual_[k]) * range + rounding_of_parts * (1.0 + absolute(x));
-    double const first = std::floor((x - reach) * all),
-                 count = std::floor((x + reach) * all) - first + 1.0;
+    double const first = elementary::floor((x - reach) * all),
+                 count = elementary::floor((x + reach) * all) - first + 1.0;
     if (!(count < all)) return {0, parts_[k]};
-    return {static_cast<std::uint32_t>(first - all * std::floor(first / all)) % parts_[k],
+    return {static_cast<std::uint32_t>(first - all * elementary::floor(first / all)) % parts_[k],
             static_cast<std::uint32_t>(count)};
 }
 

@@ -16,8 +16,6 @@
 #ifndef PW85_SIMULATION_DOMAINS_HPP_INCLUDED
 #define PW85_SIMULATION_DOMAINS_HPP_INCLUDED
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -117,8 +115,8 @@ class Domains {
         std::uint32_t part[3];
         for (int k = 0; k < 3; ++k) {
             double const x = dot(dual_[k], center) + origin_[k];
-            part[k] = std::min(static_cast<std::uint32_t>((x - std::floor(x)) * parts_[k]),
-                               parts_[k] - 1);
+            part[k] = minimum(static_cast<std::uint32_t>((x - elementary::floor(x)) * parts_[k]),
+                              parts_[k] - 1);
         }
         return Label(part);
     }

@@ -2,6 +2,8 @@
 // Tests of single particles and of a whole configuration: see engine.hpp.
 #include "engine.hpp"
 
+#include <algorithm>
+
 #include "../neighbors/bounded_list.hpp"
 #include "../rows/many_pairs.hpp"
 

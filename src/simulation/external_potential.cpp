@@ -2,7 +2,6 @@
 // Walls and energies of particles: see external_potential.hpp.
 #include "external_potential.hpp"
 
-#include <cmath>
 #include <span>
 
 #include <pw85/volume/volume.hpp>
@@ -90,7 +89,7 @@ MemberComplaint of_numbers(pw85_field const &field) noexcept
     if (found.text != nullptr) return found;
     Vector3 const vector = load_vector<3>(field.vector);
     double const square = dot(vector, vector);
-    if (field.kind == PW85_FIELD_ALIGNING && !(square > 0.0 && std::isfinite(square)))
+    if (field.kind == PW85_FIELD_ALIGNING && !(square > 0.0 && elementary::isfinite(square)))
         return {"vector", text};
     return unless_finite("strength", "must be finite", &field.strength, 1);
 }
@@ -107,7 +106,7 @@ MemberComplaint complaint_of(pw85_field const &field, Cell const &cell) noexcept
 
 double without_minus_infinity(double energy) noexcept
 {
-    return energy > -HUGE_VAL ? energy : quiet_nan<double>();
+    return energy > -infinity<double>() ? energy : quiet_nan<double>();
 }
 
 } // namespace
@@ -171,7 +170,7 @@ int ExternalPotential::check_energies(Configuration const &configuration) const 
 {
     for (std::size_t i = 0; i < configuration.size() && has_energy(); ++i) {
         double const found = energy(i, configuration.get(i), configuration.dimensions);
-        if (!std::isfinite(found))
+        if (!elementary::isfinite(found))
             return note_cause(PW85_EPOTENTIAL, nullptr,
                               "the energy of each particle must be finite", i, 0, found);
     }

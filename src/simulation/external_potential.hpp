@@ -51,7 +51,7 @@ class ExternalPotential {
     [[gnu::always_inline]] double shortened(double translation,
                                             Vector3 const &semi_axes) const noexcept
     {
-        return mesh.exists() ? std::min(translation, MeshWall::longest_step(semi_axes))
+        return mesh.exists() ? minimum(translation, MeshWall::longest_step(semi_axes))
                              : translation;
     }
 

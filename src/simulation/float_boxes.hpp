@@ -14,8 +14,6 @@
 #ifndef PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 #define PW85_SIMULATION_FLOAT_BOXES_HPP_INCLUDED
 
-#include <algorithm>
-
 #include "../base/parallel.hpp"
 #include "neighborhood.hpp"
 
@@ -88,7 +86,7 @@ class FloatBoxes {
         for (std::size_t k = 0; k < neighborhood.num_images(); ++k) {
             Vector3 const &translation = neighborhood.translation(static_cast<std::int32_t>(k));
             translations_[k] = rounded(per_unit_ * translation);
-            farthest = std::max(farthest, largest_coordinate(translation));
+            farthest = maximum(farthest, largest_coordinate(translation));
         }
         farthest_center_ = 2.0 * farthest - displacement;
         auto const margin = static_cast<float>(0x1p-18 * (farthest * per_unit_));
@@ -123,7 +121,7 @@ class FloatBoxes {
     struct Farthest {
         double distance = 0.0;
 
-        void add(Farthest const &other) noexcept { distance = std::max(distance, other.distance); }
+        void add(Farthest const &other) noexcept { distance = maximum(distance, other.distance); }
     };
 
     [[gnu::always_inline]] Farthest set_all(Configuration const &configuration) noexcept

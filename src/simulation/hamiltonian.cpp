@@ -2,13 +2,11 @@
 // Energies of trials and configurations: see hamiltonian.hpp.
 #include "hamiltonian.hpp"
 
-#include <cmath>
-
 namespace pw85::detail::simulation {
 
 Outcome accept_energy(double change, Stream &stream) noexcept
 {
-    if (std::isnan(change)) return Outcome::failed;
+    if (elementary::isnan(change)) return Outcome::failed;
     if (change <= 0.0) return Outcome::accepted;
     return accept(1.0, 0.0, change, stream.uniform()) ? Outcome::accepted : Outcome::rejected;
 }
@@ -40,7 +38,7 @@ int Hamiltonian::energy(Configuration const &all, double &sum) const noexcept
 {
     if (int const status = external.check_potential()) return status;
     sum = external.energy(all);
-    if (std::isnan(sum)) return ExternalPotential::refuse_energy();
+    if (elementary::isnan(sum)) return ExternalPotential::refuse_energy();
     if (!pairs.exists()) return PW85_SUCCESS;
     EnergySum of_pairs;
     if (int const status = pairs.of_all(all, of_pairs)) return status;

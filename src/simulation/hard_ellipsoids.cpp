@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of the trials of simulations, and of what is there afterwards.
-#include <cmath>
+#include <algorithm>
 
 #include "../base/c_arrays.hpp"
 #include "chains.hpp"
@@ -119,9 +119,9 @@ int try_placement(Engine &engine, std::size_t particle, double const *center,
     ExternalPotential const &external = engine.hamiltonian.external;
     if (int const status = external.check_potential()) return status;
     double const energy = external.energy(particle, moved, engine.particles.all().dimensions);
-    if (std::isnan(energy)) return ExternalPotential::refuse_energy();
+    if (elementary::isnan(energy)) return ExternalPotential::refuse_energy();
     is_free = 0;
-    if (energy == HUGE_VAL || external.cuts(moved, engine.particles.all().dimensions))
+    if (energy == infinity<double>() || external.cuts(moved, engine.particles.all().dimensions))
         return PW85_SUCCESS;
     is_free = -1;
     int const status = engine.try_placement(particle, moved, take, found);
@@ -134,7 +134,7 @@ int try_placement(Engine &engine, std::size_t particle, double const *center,
 void store(Array<NearImage> const &found, std::size_t capacity, std::int32_t *particles,
            std::int32_t *images, double *separations) noexcept
 {
-    for (std::size_t k = 0; k < std::min(capacity, found.size()); ++k) {
+    for (std::size_t k = 0; k < minimum(capacity, found.size()); ++k) {
         NearImage const &near = found[k];
         if (particles != nullptr) particles[k] = near.particle;
         if (images != nullptr) std::copy_n(near.image.n, 3, images + 3 * k);

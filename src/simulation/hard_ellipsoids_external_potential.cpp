@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of walls, fields and potentials of simulations: see external_potential.hpp.
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 

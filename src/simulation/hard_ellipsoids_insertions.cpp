@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of insertions and removals of particles: see insertions.hpp.
-#include <algorithm>
-#include <cmath>
 
 #include "../base/c_arrays.hpp"
 #include "hard_ellipsoids.hpp"
@@ -29,10 +27,10 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes, bool with_energie
         return note_cause(PW85_EINVAL, "simulation", "must have a cell with independent vectors");
     double longest = 0.0;
     for (int d = 0; d < engine.particles.all().dimensions; ++d)
-        longest = std::max(longest, semi_axes[d]);
+        longest = maximum(longest, semi_axes[d]);
     if (with_energies && engine.hamiltonian.pairs.exists())
         longest = engine.hamiltonian.pairs.reach() *
-                  std::max(longest, engine.particles.all().longest_semi_axis());
+                  maximum(longest, engine.particles.all().longest_semi_axis());
     if (longest <= 32.0 * periodicity.shortest()) return PW85_SUCCESS;
     return note_cause(PW85_EINVAL, "semi_axes",
                       "must be at most 32 times the shortest vector of the lattice, with a law of "
@@ -44,7 +42,7 @@ int check_axes(Engine const &engine, Vector3 const &semi_axes, bool with_energie
 int check_cell(Engine const &engine) noexcept
 {
     Configuration const &all = engine.particles.all();
-    if (!all.cell.exists || !(all.volume() > 0.0 && std::isfinite(all.volume())))
+    if (!all.cell.exists || !(all.volume() > 0.0 && elementary::isfinite(all.volume())))
         return note_cause(PW85_EINVAL, "simulation", "must have a cell with independent vectors");
     return engine.hamiltonian.external.check_potential();
 }
@@ -75,7 +73,7 @@ int load_species(Engine const &engine, std::size_t num_kinds, double const *semi
     if (!species.resize(num_kinds)) return PW85_ENOMEM;
     for (std::size_t k = 0; k < num_kinds; ++k) {
         species[k] = {c_api::load_vector<3>(semi_axes + 3 * k), activities[k], 0};
-        if (!(activities[k] > 0.0 && std::isfinite(activities[k]))) return PW85_EINVAL;
+        if (!(activities[k] > 0.0 && elementary::isfinite(activities[k]))) return PW85_EINVAL;
         if (int const status = check_axes(engine, species[k].semi_axes, true)) return status;
         for (std::size_t j = 0; j < k; ++j)
             if (are_equal(species[j].semi_axes, species[k].semi_axes))
@@ -92,7 +90,7 @@ int insertion_moves(Engine &engine, std::size_t num_moves, std::span<Species> sp
 {
     for (std::size_t done = 0; done < num_moves;) {
         std::size_t const count =
-            std::min(num_moves - done, std::max(least_trials, engine.particles.all().size()));
+            minimum(num_moves - done, maximum(least_trials, engine.particles.all().size()));
         Insertions insertions(engine);
         if (int const status = insertions.prepare(count)) return status;
         for (std::size_t k = 0; k < count; ++k)
@@ -135,11 +133,11 @@ int insert(Engine &engine, Particle &particle, bool take, int &is_free) noexcept
     if (int const status = check_placement(engine, particle)) return status;
     Configuration const &all = engine.particles.all();
     double const energy = external.energy(all.size(), particle, all.dimensions);
-    if (std::isnan(energy)) return ExternalPotential::refuse_energy();
+    if (elementary::isnan(energy)) return ExternalPotential::refuse_energy();
     Insertions insertions(engine);
     bool found = false;
     if (int const status = insertions.prepare(0)) return status;
-    if (energy < HUGE_VAL)
+    if (energy < infinity<double>())
         if (int const status = insertions.test(particle, found)) return status;
     if (found && take)
         if (int const status = engine.particles.add(particle)) return status;

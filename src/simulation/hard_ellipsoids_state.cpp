@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of the states of simulations: how they are made, saved and restored.
-#include <cmath>
-#include <memory>
 #include <new>
 #include <utility>
 
 #include "../base/c_arrays.hpp"
+#include "../base/owner.hpp"
 #include "hard_ellipsoids.hpp"
 #include "sections.hpp"
 
@@ -121,7 +120,7 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
                                           pw85_hard_ellipsoids *&simulation) noexcept
 {
     if (n > INT32_MAX) return note_cause(PW85_EINVAL, "num_particles", "must be below 2³¹");
-    std::unique_ptr<pw85_hard_ellipsoids> made(new (std::nothrow) pw85_hard_ellipsoids);
+    Owner<pw85_hard_ellipsoids> made(new (std::nothrow) pw85_hard_ellipsoids);
     if (made == nullptr) return PW85_ENOMEM;
     Engine &engine = made->engine;
     Configuration &all = engine.particles.change();
@@ -148,14 +147,14 @@ template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load 
 int create(pw85_system const &system, double const *semi_axes, double const *quaternions,
            std::size_t seed, std::int32_t *pair, pw85_hard_ellipsoids *&simulation) noexcept
 {
-    double shortest = HUGE_VAL;
+    double shortest = infinity<double>();
     auto const load = [&](std::size_t i) {
         SavedParticle particle{c_api::load_vector<3>(system.centers + 3 * i),
                                c_api::load_vector<4>(quaternions + 4 * i),
                                c_api::load_vector<3>(semi_axes + 3 * i)};
         particle.quaternion = unit(particle.quaternion);
         for (double const length : particle.semi_axes.coordinates)
-            shortest = std::min(shortest, length);
+            shortest = minimum(shortest, length);
         return particle;
     };
     auto const set = [&](Engine &engine) {
@@ -229,7 +228,7 @@ int save(Engine const &engine, std::size_t size, unsigned char *bytes) noexcept
 {
     double const energy = energy_to_save(engine);
     // A state without a finite energy could not have its potential again: see set_potential().
-    if (!std::isfinite(energy))
+    if (!elementary::isfinite(energy))
         return note_cause(PW85_EPOTENTIAL, "potential",
                           "must give an energy that is finite, because it is saved");
     write(engine, energy, size, bytes);
@@ -276,7 +275,7 @@ int read_potential(Reader &section, ExternalPotential &external) noexcept
 {
     external.lacks_potential = section.exists();
     if (section.exists()) section.read(external.saved_energy);
-    return std::isfinite(external.saved_energy) ? section.finish() : int{PW85_EINVAL};
+    return elementary::isfinite(external.saved_energy) ? section.finish() : int{PW85_EINVAL};
 }
 
 /// Returns a status.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The C API of the steps of trials, of their fractions and of their counts.
-#include <cmath>
+#include <algorithm>
 #include <span>
 
 #include "../base/c_arrays.hpp"
@@ -76,7 +76,7 @@ int pw85::detail::hard_ellipsoids_set_fractions(pw85_hard_ellipsoids &simulation
 {
     double sum = 0.0;
     for (int k = 0; k < num_particle_moves; ++k) sum += fractions[k];
-    if (!(sum > 0.0) || !std::isfinite(sum))
+    if (!(sum > 0.0) || !elementary::isfinite(sum))
         return note_cause(PW85_EINVAL, "fractions", "must have a sum that is > 0 and finite", 0, 0,
                           sum);
     for (int k = 0; k < num_particle_moves; ++k)

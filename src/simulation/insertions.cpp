@@ -2,7 +2,7 @@
 // Insertions and removals: see insertions.hpp.
 #include "insertions.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "../neighbors/bounded_list.hpp"
 #include "../rows/many_pairs.hpp"
@@ -23,7 +23,7 @@ Quaternion random_orientation(Stream &stream, int dimensions) noexcept
 {
     if (dimensions == 2) {
         Vector3 const x = stream.in_disc();
-        double const length = std::sqrt(x[0] * x[0] + x[1] * x[1]);
+        double const length = elementary::sqrt(x[0] * x[0] + x[1] * x[1]);
         return {x[0] / length, 0.0, 0.0, x[1] / length};
     }
     Quaternion x;
@@ -32,7 +32,7 @@ Quaternion random_orientation(Stream &stream, int dimensions) noexcept
         x = {stream.symmetric(), stream.symmetric(), stream.symmetric(), stream.symmetric()};
         square = dot(x, x);
     } while (square > 1.0);
-    return x / std::sqrt(square);
+    return x / elementary::sqrt(square);
 }
 
 } // namespace
@@ -58,7 +58,7 @@ int Insertions::add(Particle const &particle) noexcept
 {
     std::size_t const n = particles_.all().size();
     if (int const status = particles_.add(particle)) return status;
-    longest_ = std::max(longest_, largest_coordinate(particle.semi_axes));
+    longest_ = maximum(longest_, largest_coordinate(particle.semi_axes));
     bins_.add(static_cast<std::size_t>(numbers_[n]), n, particle.center, particle.half_widths);
     return PW85_SUCCESS;
 }
@@ -102,7 +102,7 @@ double Insertions::longest_axis(Particle const &particle) const noexcept
 {
     double longest = 0.0;
     for (int d = 0; d < particles_.all().dimensions; ++d)
-        longest = std::max(longest, particle.semi_axes[d]);
+        longest = maximum(longest, particle.semi_axes[d]);
     return longest;
 }
 
@@ -207,14 +207,14 @@ int Insertions::try_weight(Vector3 const &semi_axes, double &weight) noexcept
         if (int const status = test(particle, is_free)) return status;
     double energy =
         is_free ? hamiltonian_.external.energy(all.size(), particle, all.dimensions) : 0.0;
-    if (std::isnan(energy)) return ExternalPotential::refuse_energy();
+    if (elementary::isnan(energy)) return ExternalPotential::refuse_energy();
     if (is_free)
         if (int const status = add_pair_energy(particle, none, energy)) return status;
     ++parameters_.step;
     // e^800 is infinity, as are larger powers, for which exponential() is not made
     if (is_free)
         weight =
-            energy > 700.0 ? 0.0 : exponential(Doubled<Pack>(Pack(std::min(800.0, -energy))))[0];
+            energy > 700.0 ? 0.0 : exponential(Doubled<Pack>(Pack(minimum(800.0, -energy))))[0];
     return PW85_SUCCESS;
 }
 
@@ -235,7 +235,7 @@ int Insertions::try_insertion(Species &species, Stream &stream, InsertionCounts 
     Particle particle;
     bool is_free = draw(stream, species.semi_axes, particle);
     double energy = hamiltonian_.external.energy(all.size(), particle, all.dimensions);
-    if (std::isnan(energy)) return ExternalPotential::refuse_energy();
+    if (elementary::isnan(energy)) return ExternalPotential::refuse_energy();
     double const ratio = species.activity * all.volume() / static_cast<double>(species.count + 1);
     // Pairs that overlap have no energy, so the overlap test comes first. Without pair energies it
     // comes last, because it takes the longest time.
@@ -264,7 +264,7 @@ int Insertions::try_removal(Species &species, Stream &stream, InsertionCounts &c
         do i = stream.below(static_cast<std::uint32_t>(all.size()));
         while (!are_equal(species.semi_axes, all.semi_axes[i]));
         double energy = hamiltonian_.external.energy(i, all.get(i), all.dimensions);
-        if (std::isnan(energy)) return ExternalPotential::refuse_energy();
+        if (elementary::isnan(energy)) return ExternalPotential::refuse_energy();
         if (int const status = add_pair_energy(all.get(i), i, energy)) return status;
         double const ratio = static_cast<double>(species.count) / (species.activity * all.volume());
         is_accepted =

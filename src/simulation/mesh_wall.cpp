@@ -2,8 +2,6 @@
 // Decides whether particles meet a hard mesh: see mesh_wall.hpp.
 #include "mesh_wall.hpp"
 
-#include <cmath>
-
 #include "../base/last_error.hpp"
 #include "../base/objects.hpp"
 
@@ -19,13 +17,13 @@ constexpr double margin = 0x1p-40;
 
 void MeshWall::enclose(Cell const &cell) noexcept
 {
-    Vector3 lower = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, upper = -lower;
+    Vector3 lower = {infinity<double>(), infinity<double>(), infinity<double>()}, upper = -lower;
     for (std::size_t k = 0; k < triangles.size(); ++k)
         for (int d = 0; d < 3; ++d) {
             double const x =
                 vertices[3 * static_cast<std::size_t>(triangles[k]) + static_cast<std::size_t>(d)];
-            lower[d] = std::min(lower[d], x);
-            upper[d] = std::max(upper[d], x);
+            lower[d] = minimum(lower[d], x);
+            upper[d] = maximum(upper[d], x);
         }
     cell_ = cell;
     middle_ = 0.5 * lower + 0.5 * upper;
@@ -79,8 +77,8 @@ bool MeshWall::find_images(Particle const &particle, Vector3 const &reach,
                      width = magnitude_of_dot(dual_[l], reach) + margin * dual_bound_[l] * size;
         count *= 2.0 * width + 1.0;
         if (!(absolute(along) + width < 0x1p29 && count <= most_images)) return false;
-        images.first[l] = static_cast<std::int32_t>(std::ceil(-along - width));
-        images.last[l] = static_cast<std::int32_t>(std::floor(width - along));
+        images.first[l] = static_cast<std::int32_t>(elementary::ceil(-along - width));
+        images.last[l] = static_cast<std::int32_t>(elementary::floor(width - along));
     }
     return true;
 }
@@ -125,7 +123,7 @@ bool MeshWall::cuts(Particle const &particle) const noexcept
 
 std::int32_t MeshWall::nearest(Particle const &particle) const noexcept
 {
-    double least = HUGE_VAL;
+    double least = infinity<double>();
     std::int32_t nearest = -1;
     any_image(particle, [&](Vector3 const &center) {
         double mu2;
@@ -145,10 +143,10 @@ std::int32_t MeshWall::nearest(Particle const &particle) const noexcept
 // less than 2⁻²² b, of 2⁻²⁰ b here.
 double MeshWall::longest_step(Vector3 const &semi_axes) noexcept
 {
-    double const b = std::min({semi_axes[0], semi_axes[1], semi_axes[2]}),
+    double const b = minimum(minimum(semi_axes[0], semi_axes[1]), semi_axes[2]),
                  ratio = largest_coordinate(semi_axes) / b,
                  square = 1.0 - 0x1p-49 * (ratio * ratio);
-    return square > 0.0 ? (2.0 - 0x1p-20) * (b * std::sqrt(square)) : 0.0;
+    return square > 0.0 ? (2.0 - 0x1p-20) * (b * elementary::sqrt(square)) : 0.0;
 }
 
 } // namespace pw85::detail::simulation

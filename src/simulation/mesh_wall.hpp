@@ -14,14 +14,13 @@
 #ifndef PW85_SIMULATION_MESH_WALL_HPP_INCLUDED
 #define PW85_SIMULATION_MESH_WALL_HPP_INCLUDED
 
-#include <memory>
-
+#include "../base/owner.hpp"
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {
 
 struct DestroyMesh {
-    void operator()(pw85_mesh *mesh) const noexcept { pw85_mesh_destroy(mesh); }
+    static void destroy(pw85_mesh *mesh) noexcept { pw85_mesh_destroy(mesh); }
 };
 
 class MeshWall {
@@ -66,7 +65,7 @@ class MeshWall {
                      ImageRange &images) const noexcept;
     template <class Test> bool any_image(Particle const &particle, Test const &test) const noexcept;
 
-    std::unique_ptr<pw85_mesh, DestroyMesh> mesh_;
+    Owner<pw85_mesh, DestroyMesh> mesh_;
     Cell cell_{};
     Vector3 middle_{}, half_widths_{}; ///< of the box around the mesh
     Vector3 dual_[3] = {};             ///< of the periodic vectors of the cell; or else 0

@@ -2,8 +2,6 @@
 // The Verlet list of a model: see model.hpp.
 #include "model.hpp"
 
-#include <cmath>
-
 namespace pw85::detail::simulation {
 
 namespace {
@@ -37,14 +35,15 @@ double Model::skin() const noexcept
     Sizes const &sizes = particles.sizes();
     double const reach = hamiltonian.pairs.reach();
     auto const step_of = [&](double translation, double rotation) {
-        return translation + reach * std::min(2.0 * rotation * sizes.longest, sizes.anisotropy);
+        return translation + reach * minimum(2.0 * rotation * sizes.longest, sizes.anisotropy);
     };
     double step = step_of(parameters.translation, parameters.rotation);
     for (SpeciesSteps const &one : std::span(parameters.species.data(), parameters.species.size()))
-        step = std::max(step, step_of(one.translation, one.rotation));
+        step = maximum(step, step_of(one.translation, one.rotation));
     double const usual = relative_skin * sizes.longest;
-    return std::max({usual, 3.0 * step,
-                     parameters.fractions[exchange] > 0.0 ? 2.125 * sizes.spread * reach : 0.0});
+    double const exchanges =
+        parameters.fractions[exchange] > 0.0 ? 2.125 * sizes.spread * reach : 0.0;
+    return maximum(maximum(usual, 3.0 * step), exchanges);
 }
 
 } // namespace pw85::detail::simulation

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <span>
 
 #include "../base/parallel.hpp"
@@ -77,7 +76,7 @@ class ImageTable {
     /// all of them.
     bool grow() noexcept
     {
-        std::size_t const size = std::max<std::size_t>(64, 2 * slots_.size());
+        std::size_t const size = maximum<std::size_t>(64, 2 * slots_.size());
         if (!images_.resize(size) || !slots_.resize(size)) return false;
         std::fill_n(slots_.data(), size, -1);
         for (std::size_t k = 0; k < count_; ++k)
@@ -129,7 +128,7 @@ void enlarge(Vector3 &half_widths, double skin, int dimensions) noexcept
 {
     for (int d = 0; d < 3; ++d) half_widths[d] += 0.5 * skin;
     // All particles of a plane are at the same height: rows do not depend on their boxes along z.
-    if (dimensions == 2) half_widths[2] = HUGE_VAL;
+    if (dimensions == 2) half_widths[2] = infinity<double>();
 }
 
 } // namespace
@@ -181,7 +180,7 @@ bool Neighborhood::store_extents(Configuration const &configuration, double reac
 bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
 {
     std::size_t const num_shares =
-        list.num_pairs < pairs_per_share ? 1 : std::min(most_threads(), most_shares);
+        list.num_pairs < pairs_per_share ? 1 : minimum(most_threads(), most_shares);
     Array<Places> next; // by share and particle
     if (!next.resize(num_shares * n) || !ends_.resize(n)) return false;
     prefer_huge_pages(ends_);
@@ -265,7 +264,7 @@ double Neighborhood::reach_of_recentered(double half_width) const noexcept
     bool is_unique = gradient <= 1.0 / 12.0;
     for (Vector3 const &dual : dual_)
         is_unique = is_unique && 2.0 * half_width * sum_of_magnitudes(dual) < largest_part;
-    return is_unique ? 3.0 * half_width * (1.0 + 4.0 * gradient) : HUGE_VAL;
+    return is_unique ? 3.0 * half_width * (1.0 + 4.0 * gradient) : infinity<double>();
 }
 
 /// Returns the image of `to` whose coordinates in the cell are nearest to those of `from`.
@@ -273,14 +272,14 @@ Multiples Neighborhood::nearest_image(Vector3 const &from, Vector3 const &to) co
 {
     Multiples image;
     for (int k = 0; k < 3; ++k)
-        image.n[k] = static_cast<std::int32_t>(std::floor(dot(dual_[k], from - to) + 0.5));
+        image.n[k] = static_cast<std::int32_t>(elementary::floor(dot(dual_[k], from - to) + 0.5));
     return image;
 }
 
 std::size_t Neighborhood::room() const noexcept
 {
     // About a third of the images are new. Each makes a row of mean length longer.
-    std::size_t const mean = used_ / std::max<std::size_t>(1, size()) + 1;
+    std::size_t const mean = used_ / maximum<std::size_t>(1, size()) + 1;
     return 3 * (rows_.size() - used_) / (mean * mean);
 }
 

@@ -2,7 +2,7 @@
 // Energies of pairs: see pair_energy.hpp.
 #include "pair_energy.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "../base/member_complaint.hpp"
 #include "../neighbors/bounded_list.hpp"
@@ -37,12 +37,12 @@ double bound_of(pw85_law const &law, kernels::InversePowers const &powers) noexc
         return absolute(x[0]) + absolute(x[2]) + absolute(powers.shift);
     double largest = 0.0, steepest = 0.0;
     for (std::size_t k = 2; k < law.num_parameters; k += 2) {
-        largest = std::max(largest, absolute(x[k]));
-        steepest = std::max(steepest, absolute(x[k + 1]));
+        largest = maximum(largest, absolute(x[k]));
+        steepest = maximum(steepest, absolute(x[k + 1]));
     }
     // A cubic polynomial of an interval leaves the values of its ends by less than this; and the
     // line before the first point begins at μ² = 1 at the earliest.
-    return largest + steepest * (x[1] - std::min(1.0, x[0]));
+    return largest + steepest * (x[1] - minimum(1.0, x[0]));
 }
 
 int refuse_law(char const *requirement) noexcept
@@ -77,7 +77,7 @@ int PairEnergy::set(pw85_law const *law) noexcept
     double const cutoff = x[entry_of_cutoff(*law)];
     if (cutoff > farthest * farthest) return refuse_law("must have a cutoff of at most 10⁶ in μ²");
     // The relative error of a root is below 2⁻⁵².
-    made.reach_ = (1.0 + 0x1p-50) * std::sqrt(cutoff);
+    made.reach_ = (1.0 + 0x1p-50) * elementary::sqrt(cutoff);
     *this = std::move(made);
     return PW85_SUCCESS;
 }
@@ -94,7 +94,7 @@ EnergySum PairEnergy::of(double mu2, int count) const noexcept
     }
     if (!(absolute(energy) <= 2.0 * largest)) return {0, true};
     constexpr double units = 0.5 / EnergySum::half_unit;
-    return {count * static_cast<std::int64_t>(std::nearbyint(units * energy)), false};
+    return {count * static_cast<std::int64_t>(elementary::nearbyint(units * energy)), false};
 }
 
 // The contact function of a bad pair is NaN.

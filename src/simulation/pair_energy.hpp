@@ -15,6 +15,7 @@
 
 #include <pw85_systems.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 

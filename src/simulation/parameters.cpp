@@ -2,7 +2,6 @@
 // Largest changes of trials: see parameters.hpp.
 #include "parameters.hpp"
 
-#include <cmath>
 #include <utility>
 
 namespace pw85::detail::simulation {
@@ -19,10 +18,10 @@ double longest_translation(Configuration const &all) noexcept
 {
     double const longest = all.longest_semi_axis();
     if (!all.is_closed()) return 0.5 * longest;
-    double const each = all.volume() / static_cast<double>(std::max<std::size_t>(1, all.size()));
+    double const each = all.volume() / static_cast<double>(maximum<std::size_t>(1, all.size()));
     if (all.dimensions == 2)
-        return std::max(0.5 * longest, (std::sqrt(each) - 2.0 * longest) / 3.0);
-    return std::max(0.5 * longest, (0.75 * std::cbrt(each) - 2.0 * longest) / 3.0);
+        return maximum(0.5 * longest, (elementary::sqrt(each) - 2.0 * longest) / 3.0);
+    return maximum(0.5 * longest, (0.75 * elementary::cbrt(each) - 2.0 * longest) / 3.0);
 }
 
 /// Let p be the share of n trials that was accepted. The logarithm of the step changes by g (p -
@@ -33,10 +32,10 @@ void adapt(double &step, std::int64_t trials, std::int64_t accepted, double acce
            double largest) noexcept
 {
     if (trials == 0 || largest == 0.0) return; // a step is > 0, also where none is of use
-    double const n = static_cast<double>(trials), gain = std::min(1.0, 0.1 * std::sqrt(n));
+    double const n = static_cast<double>(trials), gain = minimum(1.0, 0.1 * elementary::sqrt(n));
     double const change = gain * (static_cast<double>(accepted) / n - acceptance);
     // Nearly the exponential, with the same bits everywhere.
-    step = std::min(largest, step * ((2.0 + change) / (2.0 - change)));
+    step = minimum(largest, step * ((2.0 + change) / (2.0 - change)));
 }
 
 /// Adapts a step to the trials of its own type and to those of both.
@@ -51,9 +50,9 @@ void adapt_to(Counts const &counts, Move move, double acceptance, double largest
 
 void Parameters::limit_translations(double longest) noexcept
 {
-    translation = std::min(translation, longest);
+    translation = minimum(translation, longest);
     for (std::size_t k = 0; k < species.size(); ++k)
-        species[k].translation = std::min(species[k].translation, longest);
+        species[k].translation = minimum(species[k].translation, longest);
 }
 
 void Parameters::tune(Counts const &before, double acceptance, Configuration const &configuration,
@@ -71,7 +70,7 @@ void Parameters::tune(Counts const &before, double acceptance, Configuration con
     }
     double useful = external.mesh.exists() ? 0.0 : longest; // for any particle
     for (std::size_t i = 0; i < configuration.size() && useful < longest; ++i)
-        useful = std::max(useful, external.shortened(longest, configuration.semi_axes[i]));
+        useful = maximum(useful, external.shortened(longest, configuration.semi_axes[i]));
     adapt_to(others, Move::translation, acceptance, useful, translation);
     adapt_to(others, Move::rotation, acceptance, 1.0, rotation);
     adapt(volume, others.trials[Move::volume], others.accepted[Move::volume], acceptance, 0.5);

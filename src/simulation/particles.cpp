@@ -2,8 +2,10 @@
 // Copies of particles, and their number: see particles.hpp.
 #include "particles.hpp"
 
+#include <algorithm>
 #include <new>
 
+#include "../base/owner.hpp"
 #include "../base/parallel.hpp"
 #include "../neighbors/order.hpp"
 
@@ -64,12 +66,12 @@ void Particles::measure() noexcept
     for (Vector3 const &axes : all) {
         auto const [least, most] =
             std::minmax_element(axes.coordinates, axes.coordinates + all_.dimensions);
-        sizes_.anisotropy = std::max(sizes_.anisotropy, *most - *least);
+        sizes_.anisotropy = maximum(sizes_.anisotropy, *most - *least);
     }
     for (int d = 0; d < all_.dimensions && !all.empty(); ++d) {
         auto const is_less = [&](Vector3 const &x, Vector3 const &y) { return x[d] < y[d]; };
         auto const [least, most] = std::minmax_element(all.begin(), all.end(), is_less);
-        sizes_.spread = std::max(sizes_.spread, (*most)[d] - (*least)[d]);
+        sizes_.spread = maximum(sizes_.spread, (*most)[d] - (*least)[d]);
     }
 }
 
@@ -97,7 +99,7 @@ void Particles::commit() noexcept
     for_all(all_.size(), [&](Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i) {
             std::size_t const place = order_.of(i),
-                              later = order_.of(std::min(i + prefetched, range.end - 1));
+                              later = order_.of(minimum(i + prefetched, range.end - 1));
             if (is_moved_[later]) copy_.prefetch(later);
             if (std::exchange(is_moved_[place], std::uint8_t{false})) all_.set(i, copy_.get(place));
         }
@@ -125,8 +127,8 @@ int Particles::add(Particle const &particle) noexcept
     std::size_t const n = all_.size();
     if (n >= INT32_MAX) return PW85_ENOMEM;
     if (n == all_.capacity()) {
-        std::size_t const more = std::max<std::size_t>(16, 2 * n);
-        std::unique_ptr<RetiredArrays> old(new (std::nothrow) RetiredArrays);
+        std::size_t const more = maximum<std::size_t>(16, 2 * n);
+        Owner<RetiredArrays> old(new (std::nothrow) RetiredArrays);
         if (old == nullptr) return PW85_ENOMEM;
         // half_widths come first and centers last, because the capacity is that of the centres.
         bool const is_larger =

@@ -12,9 +12,10 @@
 #ifndef PW85_SIMULATION_PARTICLES_HPP_INCLUDED
 #define PW85_SIMULATION_PARTICLES_HPP_INCLUDED
 
-#include <memory>
+#include <algorithm>
 #include <span>
 
+#include "../base/owner.hpp"
 #include "configuration.hpp"
 
 namespace pw85::detail::simulation {
@@ -56,7 +57,7 @@ struct RetiredArrays {
     Array<Vector3> centers, semi_axes;
     Array<Quaternion> quaternions;
     Array<Form3> q;
-    std::unique_ptr<RetiredArrays> older;
+    Owner<RetiredArrays> older;
 
     ~RetiredArrays(); // not inline: the linker would merge copies
 };
@@ -134,7 +135,7 @@ class Particles {
     void measure() noexcept;
 
     Configuration all_, copy_;
-    std::unique_ptr<RetiredArrays> retired_;
+    Owner<RetiredArrays> retired_;
     MemoryOrder order_;
     Array<std::uint8_t> is_moved_; ///< by places: whether a particle may differ from the caller's
     Sizes sizes_;

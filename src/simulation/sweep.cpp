@@ -2,7 +2,7 @@
 // Sweeps: see sweep.hpp.
 #include "sweep.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace pw85::detail::simulation {
 
@@ -43,7 +43,7 @@ Quaternion turned_in_plane(Quaternion const &quaternion, double v) noexcept
 {
     auto const [w, x, y, z] = quaternion.coordinates;
     double const real = w - v * z, imaginary = z + v * w,
-                 length = std::sqrt(real * real + imaginary * imaginary);
+                 length = elementary::sqrt(real * real + imaginary * imaginary);
     return {real / length, x, y, imaginary / length};
 }
 
@@ -127,7 +127,7 @@ int Sweeps::recenter(std::int32_t place) noexcept
     auto const i = static_cast<std::size_t>(place);
     Configuration const &all = model_.particles.copy();
     double const reach = model_.list.reach_of_recentered();
-    if (!(reach < HUGE_VAL)) return PW85_EINVAL;
+    if (!(reach < infinity<double>())) return PW85_EINVAL;
     if (!domains_.list_near(all.centers[i], reach, near_)) return PW85_ENOMEM;
     return model_.list.recenter(i, all, model_.skin(), {near_.begin(), near_.size()});
 }

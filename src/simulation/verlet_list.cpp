@@ -2,6 +2,7 @@
 // Verlet lists of sessions: see verlet_list.hpp.
 #include "verlet_list.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 #include "../simd/one_pair.hpp"

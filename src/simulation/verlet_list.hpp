@@ -84,7 +84,7 @@ class VerletList {
         // in parts: there is memory for all of a part
         auto const add_all = [&](std::size_t size, auto const &add) {
             for (std::size_t begin = 0; begin < size; begin += most_candidates) {
-                std::size_t const end = std::min(size, begin + most_candidates);
+                std::size_t const end = minimum(size, begin + most_candidates);
                 for (std::size_t k = begin; k < end; ++k) add(k);
                 if (found.count >= most_candidates && overlaps_found()) return true;
             }

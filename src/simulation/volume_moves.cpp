@@ -2,7 +2,7 @@
 // Trials of the volume: see volume_moves.hpp.
 #include "volume_moves.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "../neighbors/bounded_list.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 /// without pairs. Returns a status.
 int least_mu2_of_list(pw85_system const &system, double scale, double &mu2) noexcept
 {
-    mu2 = HUGE_VAL;
+    mu2 = infinity<double>();
     neighbors::BoundedList made;
     if (int const status = made.make(system, scale)) return status;
     pw85_pair_list const list = made.pairs();
@@ -48,7 +48,7 @@ int find_least_mu2(Configuration const &all, double &mu2) noexcept
     Configuration local;
     if (!copy_in_local_unit(all, local)) return PW85_ENOMEM;
     for (double scale = 1.25;;
-         scale = std::isfinite(mu2) ? (1.0 + 0x1p-50) * std::sqrt(mu2) : 2.0 * scale)
+         scale = elementary::isfinite(mu2) ? (1.0 + 0x1p-50) * elementary::sqrt(mu2) : 2.0 * scale)
         if (int const status = least_mu2_of_list(local.system(), scale, mu2);
             status != PW85_SUCCESS || mu2 <= scale * scale)
             return status;
@@ -66,7 +66,7 @@ int VolumeMoves::run(double pressure, ChangeType type) noexcept
     double cost = pressure * all.volume() * (change.determinant() - 1.0);
     if (model_.hamiltonian.external.potential != nullptr) {
         cost += energy_change(change);
-        if (std::isnan(cost)) return ExternalPotential::refuse_energy();
+        if (elementary::isnan(cost)) return ExternalPotential::refuse_energy();
     }
     ++model_.parameters.step;
     ++model_.parameters.counts.trials[volume];
@@ -162,7 +162,7 @@ int VolumeMoves::compress(bool take, double &factor) noexcept
     if (int const status = find_least_mu2(all, mu2)) return status;
     Outcome outcome = Outcome::rejected;
     for (double margin = 0x1p-52; outcome != Outcome::accepted; margin *= 4.0) {
-        factor = std::min(1.0, (1.0 + margin) / std::sqrt(mu2));
+        factor = minimum(1.0, (1.0 + margin) / elementary::sqrt(mu2));
         if (factor == 1.0) return PW85_SUCCESS;
         if (int const status = change_cell(
                 Change(factor, all.dimensions), [] { return Outcome::accepted; }, outcome))

@@ -2,7 +2,6 @@
 // Decides whether walls cut particles: see walls.hpp.
 #include "walls.hpp"
 
-#include <cmath>
 #include <limits>
 
 #include <pw85/overlap/containment.hpp>
@@ -51,7 +50,7 @@ bool is_not_repeated(Cell const &cell) noexcept
     return !cell.exists || (!cell.periodic[0] && !cell.periodic[1] && !cell.periodic[2]);
 }
 
-bool is_positive(double x) noexcept { return x > 0.0 && std::isfinite(x); }
+bool is_positive(double x) noexcept { return x > 0.0 && elementary::isfinite(x); }
 
 bool is_ordered(Vector3 const &lower, Vector3 const &upper, bool is_flat) noexcept
 {
@@ -67,7 +66,7 @@ bool half_space_cuts(Vector3 const &normal, double offset, Particle const &parti
                  width = magnitude_of_dot(normal, particle.half_widths);
     // The least normal number is for products that underflow.
     double const rounding =
-        0x1p-40 * (magnitude_of_dot(normal, particle.center) + std::abs(offset)) +
+        0x1p-40 * (magnitude_of_dot(normal, particle.center) + elementary::abs(offset)) +
         std::numeric_limits<double>::min();
     if (offset - along > enlargement * width + rounding) return false;
     Vector3 const outward = -normal;
@@ -88,7 +87,7 @@ template <int D> bool leaves_ball(double radius, Vector<double, D> const &center
         diagonal += q(d, d);
         ball(d, d) = radius * radius;
     }
-    if (enlargement * (magnitude(center) + std::sqrt(diagonal)) < radius) return false;
+    if (enlargement * (magnitude(center) + elementary::sqrt(diagonal)) < radius) return false;
     auto const answer = contains(center, ball, q);
     return answer.status != Status::success || !answer.contains;
 }
@@ -103,7 +102,7 @@ Across vectors_across(Vector3 const &direction) noexcept
     Vector3 const axis = scaled(direction);
     int longest = 0;
     for (int d = 1; d < 3; ++d)
-        if (std::abs(axis[d]) > std::abs(axis[longest])) longest = d;
+        if (elementary::abs(axis[d]) > elementary::abs(axis[longest])) longest = d;
     Vector3 first{}, along = axis / magnitude(axis);
     first[(longest + 1) % 3] = 1.0;
     first = add_scaled(first, -dot(first, along), along);
@@ -150,7 +149,7 @@ bool is_repeated_across(Vector3 const &direction, Cell const &cell) noexcept
     for (int k = 0; k < 3 && cell.exists; ++k) {
         Vector3 const a = cell.vector(k);
         across = across && (!cell.periodic[k] ||
-                            std::abs(dot(a, normal)) <=
+                            elementary::abs(dot(a, normal)) <=
                                 perpendicular * sum_of_magnitudes(a) * sum_of_magnitudes(normal));
     }
     return across;

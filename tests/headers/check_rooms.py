@@ -29,7 +29,6 @@ ROOMS = {
     "meshes": ("base", "rows", "neighbors"),
     "simulation": ("base", "periodic", "simd", "rows", "neighbors"),
     "addition": ("base", "simd"),
-    "pch": ("base", "rows", "simulation"),
     "c_api": ("base", "periodic", "simd", "any_dimension", "brent", "rows", "lists", "forces", "enclosing"),
     "gpu": ("base", "periodic", "simd"),
     "legacy": ("base",),

@@ -17,6 +17,19 @@ namespace pw85::detail::elementary {
     PW85_FUNCTION constexpr type abs(type x) noexcept { return __builtin_fabs##suffix(x); }        \
     PW85_FUNCTION inline type sqrt(type x) noexcept { return __builtin_sqrt##suffix(x); }          \
     PW85_FUNCTION inline type cbrt(type x) noexcept { return __builtin_cbrt##suffix(x); }          \
+    PW85_FUNCTION inline type floor(type x) noexcept { return __builtin_floor##suffix(x); }        \
+    PW85_FUNCTION inline type ceil(type x) noexcept { return __builtin_ceil##suffix(x); }          \
+    PW85_FUNCTION inline type round(type x) noexcept { return __builtin_round##suffix(x); }        \
+    PW85_FUNCTION inline type nearbyint(type x) noexcept                                           \
+    {                                                                                              \
+        return __builtin_nearbyint##suffix(x);                                                     \
+    }                                                                                              \
+    PW85_FUNCTION inline type fma(type x, type y, type z) noexcept                                 \
+    {                                                                                              \
+        return __builtin_fma##suffix(x, y, z);                                                     \
+    }                                                                                              \
+    PW85_FUNCTION constexpr bool isfinite(type x) noexcept { return __builtin_isfinite(x); }       \
+    PW85_FUNCTION constexpr bool isnan(type x) noexcept { return __builtin_isnan(x); }             \
     PW85_FUNCTION inline type exp(type x) noexcept { return __builtin_exp##suffix(x); }            \
     PW85_FUNCTION inline type log(type x) noexcept { return __builtin_log##suffix(x); }            \
     PW85_FUNCTION inline type sin(type x) noexcept { return __builtin_sin##suffix(x); }            \

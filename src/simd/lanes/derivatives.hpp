@@ -76,8 +76,6 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
 } // namespace pw85::detail
 
 #elif !defined(PW85_FOR_DEVICES)
-#include <algorithm>
-#include <cmath>
 
 #include "../../base/parallel.hpp"
 
@@ -90,8 +88,8 @@ static inline int scalar_fallback(Target const &target, PairRow<3> const &pair,
 {
     auto const &[r12, q1, q2] = pair;
     int status = 0;
-    if (out.r12 != nullptr) std::copy_n(r12, 3, out.r12);
-    if (std::isnan(*out.lambda)) {
+    for (int d = 0; out.r12 != nullptr && d < 3; ++d) out.r12[d] = r12[d];
+    if (elementary::isnan(*out.lambda)) {
         double contact[2];
         status = PW85_OF_PAIR(target, contact)(r12, q1, q2, contact);
         if (out.mu2 != nullptr) *out.mu2 = contact[0];
@@ -116,7 +114,7 @@ template <class Rows> static Failure compute(Target const &target, Rows const &r
         DerivativeArrays part = out.from(begin);
         part.lambda = lambda;
         Failure const bad = compute<Rows, DerivativeArrays>(target, rows.from(begin),
-                                                            std::min(part_size, n - begin), part);
+                                                            minimum(part_size, n - begin), part);
         first.update({begin + bad.index, bad.status});
     }
     return first;

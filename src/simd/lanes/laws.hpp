@@ -156,9 +156,6 @@ template <class Law> kernels::LawSums evaluate_law(Law const &given, std::size_t
 #else
 #include <pw85_systems.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "../../base/c_arrays.hpp"
 #include "../../base/floating_point_environment.hpp"
 #include "../../base/member_complaint.hpp"
@@ -234,7 +231,7 @@ template <class Law> double energy_of(Law const &law, double mu2) noexcept
 inline InversePowers shifted(InversePowers law) noexcept
 {
     InversePowers everywhere = law;
-    everywhere.mu2_max = HUGE_VAL;
+    everywhere.mu2_max = infinity<double>();
     in_default_environment([&] { law.shift = energy_of(everywhere, law.mu2_max); });
     return law;
 }
