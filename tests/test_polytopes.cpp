@@ -3,6 +3,7 @@
 // rational numbers, contacts with moved ellipsoids against 50 digits.
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include <glib.h>

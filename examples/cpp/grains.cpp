@@ -55,7 +55,8 @@ int main()
     check(pw85::contact_derivatives_pairs(neighbors.list(), grains,
                                           {.mu2 = mu2, .normal = normals}));
 
-    auto const deepest = std::min_element(mu2.begin(), mu2.end()) - mu2.begin();
+    auto const deepest = static_cast<std::size_t>(
+        std::min_element(mu2.begin(), mu2.end()) - mu2.begin());
     std::printf("%zu pairs of boxes intersect, %d pairs of grains overlap\n", n,
                 std::accumulate(overlap.begin(), overlap.end(), 0));
     auto const [i, j] = neighbors.pairs()[deepest];
