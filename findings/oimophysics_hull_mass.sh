@@ -12,8 +12,8 @@
 #   0.1, 0.2, 0.3     1.910    4.333  3.333  1.667    0.1        0.05
 #   the hull itself   0.972    2.561  1.975  0.977    0          0
 #
-# The mass is 48 = 2 * 4 * 6, as that of BoxGeometry (1, 2, 3). The first two numbers of a cylinder, whose collisions use the same margin,
-# are right: it is taken off its inside. After setGjkMergin(0) contacts and rays are right to 0.0001; set mass and moments by setMassData.
+# The mass is 48 = 2 * 4 * 6, as that of BoxGeometry (1, 2, 3). Mass, contacts and rays of a cylinder, which has the same margin, are right:
+# its margin is taken off the inside. After setGjkMergin(0), contacts and rays are right to 0.0001; set mass and moments by setMassData.
 # Needs node and npm.
 set -eu
 dir=$(mktemp -d)
