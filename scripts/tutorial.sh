@@ -16,8 +16,8 @@ if [ -f "$build/build.ninja" ]; then
   meson setup --reconfigure "$build"
 else
   # shellcheck disable=SC2086 # a list of words
-  meson setup "$build" --prefix="$prefix" --libdir=lib -Ddefault_library=shared -Djoined=true -Dtests=disabled -Dbench=disabled -Dpython=disabled \
-    ${PW85_SETUP_OPTIONS-}
+  meson setup "$build" --prefix="$prefix" --libdir=lib -Dtests=disabled -Dbench=disabled -Dpython=disabled \
+    -Ddefault_library=shared -Djoined=true ${PW85_SETUP_OPTIONS-}
 fi
 meson compile -C "$build"
 meson install -C "$build"

@@ -112,7 +112,8 @@ def checks_without_running(source):
     omitted = [line for name in ("docs", "pictures") for line in commands(scripts[name]) if line.startswith("meson")]
     yield "what makes the pages", lambda: (omitted == OF_DOCS, f"{omitted}")
     tutorial = (source / "scripts/tutorial.sh").read_text(encoding="utf-8")
-    for word, by_user in (('"$build"', "build"), ("$prefix", "$HOME/.local"), (" \\\n    ${PW85_SETUP_OPTIONS-}", "")):
+    of_script = " \\\n    -Ddefault_library=shared -Djoined=true ${PW85_SETUP_OPTIONS-}"
+    for word, by_user in (('"$build"', "build"), ("$prefix", "$HOME/.local"), (of_script, "")):
         tutorial = tutorial.replace(word, by_user)
     lines = whole_lines(tutorial)
     others = [line for line in whole_lines("\n".join(commands(scripts["build"]))) if line not in lines]

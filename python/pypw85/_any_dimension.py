@@ -87,7 +87,7 @@ def nd_contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
 
 
 def nd_contact_geometry(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: ArrayLike) -> NdContactGeometry:
-    """Computes the contact point and the normal of two ellipsoids in n dimensions that are scaled by μ, and the derivatives of μ².
+    """Computes the contact point and normal of two ellipsoids in n dimensions that are scaled by μ, and derivatives of μ².
 
     Parameters
     ----------
@@ -222,7 +222,7 @@ def nd_contains(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def nd_containment(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> tuple[Any, Any]:
-    """Computes the factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions, and where they then touch.
+    """Computes the factor by which ellipsoid 1 must be scaled to contain ellipsoid 2 in n dimensions, and the contact point.
 
     The centre of ellipsoid 1 stays fixed.
 

@@ -131,7 +131,7 @@ def random_points(q: ArrayLike, n: SupportsIndex, seed: int = 0, surface: bool =
 
 
 def even_points(q: ArrayLike, n: SupportsIndex) -> Floats:
-    """Computes points that cover the surface of an ellipsoid evenly, for drawing: a Fibonacci spiral with the same area for each point.
+    """Computes points that cover the surface of an ellipsoid evenly: a Fibonacci spiral with the same area for each point.
 
     The points follow a spiral around the longest axis. The surface between one end of this axis and point i has the fraction
     (i + 1/2)/n of the whole area. For a sphere this is the usual Fibonacci spiral.
@@ -209,7 +209,7 @@ def ellipsoid_mesh(q: ArrayLike, deviation: float, fit: Fit = "volume") -> Ellip
         Form of the ellipsoid, with its centre at 0.
     deviation : float
         Largest allowed distance between the mesh and the surface of the ellipsoid, in the unit of length, > 0.
-    fit : {"inscribed", "circumscribed", "volume"}
+    fit : "inscribed", "circumscribed" or "volume"
         "inscribed": the vertices are on the ellipsoid, and the volume of the mesh is too small. "circumscribed": the mesh contains the
         ellipsoid, which touches faces, and the volume is too large. "volume": the mesh has the volume of the ellipsoid.
 

@@ -17,7 +17,7 @@ _OF_PLANE = [0, 1, 3]
 
 
 def enclosing(system: System, clusters: ArrayLike | None = None, tolerance: float = 1e-6) -> System:
-    """Computes the smallest ellipsoid around each cluster of a system. All particles of the cluster are inside, in exact arithmetic.
+    """Computes the smallest ellipsoid around each cluster of a system. All particles of the cluster are inside (exact).
 
     Parameters
     ----------

@@ -42,7 +42,7 @@ class _Moments(NamedTuple):
 
 
 def from_labels(image: ArrayLike, spacing: ArrayLike = 1.0, origin: ArrayLike = 0.0) -> System:
-    """Converts a labelled image to a system: each grain becomes the ellipsoid (ellipse) that has its centre and second moments.
+    """Converts a labelled image to a system: each grain becomes the ellipsoid (ellipse) with its centre and second moments.
 
     The moments are those of the centres of the pixels. If a pixel has the label of the grain at its centre, this is right on average, and
     no term for the size of the pixels is added. (The union of the pixels, as squares or cubes, has variances along the axes that are

@@ -42,7 +42,7 @@ def lattice(
         Packing fraction: the volume of the ellipsoids divided by the volume of the cell, > 0.
     number : int
         Number of ellipsoids: a multiple of 4, or any number for "sc".
-    kind : {"stretched", "fcc", "sc"}
+    kind : "stretched", "fcc" or "sc"
         "stretched": the face-centred cubic lattice of spheres, stretched such that the spheres become the ellipsoids. Its packing fraction
         can be as large as that of spheres, π/√18 = 0.7405. "fcc" and "sc": the face-centred and the simple cubic lattice along x, y and z,
         in which long ellipsoids touch at small packing fractions.

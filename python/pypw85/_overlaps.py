@@ -145,7 +145,7 @@ def jaccard_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
 
 
 def sorensen(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
-    """Computes the Sørensen–Dice index of two ellipsoids: twice the volume of their intersection divided by the sum of their volumes.
+    """Computes the Sørensen–Dice index of two ellipsoids: twice their common volume divided by the sum of their volumes.
 
     Parameters
     ----------

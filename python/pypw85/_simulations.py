@@ -523,7 +523,7 @@ class HardEllipsoids:
         pressure : float
             Reduced pressure βP = P/(k_B T) > 0, in the inverse cube of the unit of length (in two dimensions, the inverse square). If
             `change` is "aspect", any finite number: it has no effect.
-        change : {"isotropic", "axis", "triclinic", "aspect"}
+        change : "isotropic", "axis", "triclinic" or "aspect"
             "isotropic" scales all cell vectors by the same factor; "axis" scales the cell along one of its vectors; "triclinic" does this
             or shears the cell; "aspect" scales along one vector and along the others such that the volume is constant.
 
@@ -566,7 +566,7 @@ class HardEllipsoids:
             The fraction of trials that is to be accepted, > 0 and at most 1.
         pressure : float
             βP for one volume move after each sweep, as for `volume_moves`; 0 for no volume moves.
-        change : {"isotropic", "axis", "triclinic", "aspect"}
+        change : "isotropic", "axis", "triclinic" or "aspect"
             As for `volume_moves`. With "aspect" there is a trial after each sweep even if the pressure is 0.
 
         Raises

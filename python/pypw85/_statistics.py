@@ -378,7 +378,7 @@ def count_pairs(system: System, directions: Floats, edges: Floats) -> Floats:
 
 
 def correlation(system: System, reach: float = 2.0, bins: int = 100) -> Correlation:
-    """Computes the histogram of μ over the pairs of a system with μ < `reach`, and the histogram that is expected without correlations.
+    """Computes the histogram of μ over pairs with μ < `reach`, and the histogram that is expected without correlations.
 
     Without correlations, the centre of the second particle is uniform in the cell of volume V. Then μ < m with the probability m³ E / V,
     where E is the excluded volume of the pair, the mean over directions of 4π/3 (distance of closest approach)³. In two dimensions the

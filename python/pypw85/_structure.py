@@ -323,7 +323,7 @@ def smectic_order(system: System, axis: ArrayLike | None = None, spacing: ArrayL
 def columnar_order(
     system: System, axis: ArrayLike | None = None, spacing: ArrayLike | None = None, angle: float = 15.0
 ) -> tuple[LayerOrder, LayerOrder]:
-    """Computes the columnar order: the two largest \\|<exp(i q·r)>\\| over wave vectors q of the cell nearly perpendicular to an axis.
+    """Computes the columnar order: the two largest \\|<exp(i q·r)>\\| over wave vectors q nearly perpendicular to an axis.
 
     The angle between the two wave vectors is at least 30°. Columns along the axis give two large orders; layers that contain the axis
     give only one. Therefore the second order is the order of the columns. A crystal also has columns.
@@ -524,7 +524,7 @@ def angular_pair_correlation(
         Largest distance, > 0. It may exceed the cell: all images count, except those of the particle itself.
     bins, angles : int
         Numbers of bins of the distance and of \\|cos θ\\|, at least 1.
-    between : {"axes", "separation", "director"}
+    between : "axes", "separation" or "director"
         Definition of θ. "axes": between the axes of the two particles. "separation": between the axis of a particle and the line to
         the other particle; each pair counts twice. "director": between this line and the `director`.
 

@@ -235,7 +235,7 @@ def test_files(tmp_path):
     path.write_bytes(content.replace(b"(12, 11", b"(99999999, 11"))
     with pytest.raises(pypw85.FileError, match="NumPy cannot read it"):
         pypw85.read(path)
-    with pytest.raises(pypw85.FileError, match="leave out --spacing"):
+    with pytest.raises(pypw85.FileError, match="--spacing applies to the format labels only, not to csv"):
         (tmp_path / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n")
         pypw85.read(tmp_path / "a.csv", spacing=2)
 

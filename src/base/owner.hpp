@@ -12,7 +12,7 @@
 
 namespace pw85::detail {
 
-/// How Owner ends the life of an object, or of an array of them.
+/// Ends the life of an object, or of an array of them.
 template <class T> struct Delete {
     [[gnu::always_inline]] static void destroy(std::remove_extent_t<T> *object) noexcept
     {

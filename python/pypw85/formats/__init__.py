@@ -441,6 +441,10 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
         For a mesh: "inscribed", "circumscribed" or "volume" (the default), as for `ellipsoid_mesh`. The file contains this word in a
         comment.
 
+    Returns
+    -------
+    None
+
     Raises
     ------
     ValueError

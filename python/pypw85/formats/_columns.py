@@ -43,8 +43,8 @@ _LENGTHS: list[tuple[str, list[Names], str]] = [
     ("", [_ABC], "radii"),
     ("semi", [(one, two, three) for one, three in (("major", "minor"), ("majoraxis", "minoraxis"))
               for two in ("intermediate", "middle", "medium", "intermediateaxis", "middleaxis", "mediumaxis")], "radii"),
-    *(("", [(f"major{size}", f"{two}{size}", f"minor{size}") for two in ("int", "intermediate", "middle")], meaning)
-      for size, meaning in (("radius", "radii"), ("diameter", "diameters"))),
+    ("", [("majorradius", f"{two}radius", "minorradius") for two in ("int", "intermediate", "middle")], "radii"),
+    ("", [("majordiameter", f"{two}diameter", "minordiameter") for two in ("int", "intermediate", "middle")], "diameters"),
     ("", [("length", "width", "height"), ("length", "width", "thickness"), ("l", "w", "h"), ("lx", "ly", "lz"),
           ("major", "intermediate", "minor"), ("long", "intermediate", "short")], _ASK),
 ]

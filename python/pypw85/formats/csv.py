@@ -334,6 +334,7 @@ def _box(keys: dict[str, Any], lines: Lines) -> tuple[Floats | None, list[float]
 def _value(lines: Lines, key: str, text: str) -> Any:
     """The value of a key in the present line: a number, or a list."""
     count = len(text.split())
+    value: int | list[bool] | list[float]
     try:
         if key in ("dimensions", "step"):
             value = lines.whole(text, key, -(2**63))
