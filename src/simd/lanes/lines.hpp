@@ -50,10 +50,14 @@ PW85_INLINE void compute_chunk(kernels::SetRows<kernels::Lines> const &rows, Chu
 {
     set_chunk(rows, chunk, rejected_lanes, [&](Line const &line, auto const &q) {
         auto const [middle, half2] = chord(line.origin, line.direction, q);
-        Pack const half = select(half2 >= Pack(0.0), square_root(half2), Pack(quiet_nan<double>()));
+        Pack const half = square_root(half2);
+        // A compiler may compute x - NaN as x + (-NaN). So the ends are selected, and not the half.
+        auto const if_hit = [hits = half2 >= Pack(0.0)](Pack const &end) {
+            return select(hits, end, Pack(quiet_nan<double>()));
+        };
         auto const part = out.from(chunk.begin);
-        if (part.enter != nullptr) store_lanes(middle - half, chunk.count, part.enter);
-        if (part.leave != nullptr) store_lanes(middle + half, chunk.count, part.leave);
+        if (part.enter != nullptr) store_lanes(if_hit(middle - half), chunk.count, part.enter);
+        if (part.leave != nullptr) store_lanes(if_hit(middle + half), chunk.count, part.leave);
         return has_clear_chord(line.origin, line.direction, q);
     });
 }
