@@ -42,7 +42,7 @@ template <class Arrays> int compute_list(char const *name, pw85_pair_list const 
                                          pw85_system const &system, Arrays const &out) noexcept
 {
     Images images;
-    NeighborList rows;
+    NeighborList rows{};
     if (int const status = prepare_list(name, list, system, images, rows)) return status;
     return compute_all(list.num_pairs, rows, out);
 }
@@ -181,7 +181,7 @@ int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *sys
         return refuse_arrays("pw85_overlap_volume_pairs", "num_pairs", list->num_pairs,
                              NamedArray{"volume", volume});
     Images images;
-    NeighborList rows;
+    NeighborList rows{};
     if (int const status = prepare_list("pw85_overlap_volume_pairs", *list, *system, images, rows))
         return status;
     auto const gather = gather_of<NeighborList>(chosen());
@@ -207,7 +207,7 @@ int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system cons
         return refuse_arrays("pw85_nearest_images", "num_pairs", num_pairs,
                              NamedArray{"cell", system->cell});
     Images nearest;
-    NeighborList rows;
+    NeighborList rows{};
     if (int const status = prepare_list("pw85_nearest_images", {num_pairs, pairs, nullptr},
                                         without_forms(*system), nearest, rows))
         return status;

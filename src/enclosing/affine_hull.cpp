@@ -50,6 +50,7 @@ bool AffineHullSearch::find_basis() noexcept
         std::size_t const longest = find_longest(cloud_.n, cloud_.m, rows_.data(), square);
         if (square <= 0x1p-48) break;
         double *const next = basis_.vectors[basis_.size];
+        // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): all rows are written above
         for (std::size_t k = 0; k < columns; ++k) next[k] = rows_[longest * columns + k];
         subtract_projection(basis_, next);
         normalize(cloud_.n, next);

@@ -24,6 +24,7 @@ bool Certificate::prepare(Cloud const &cloud, double const *center, double const
     cloud_ = &cloud;
     frame_.n = n;
     for (int k = 0; k < n; ++k) frame_.center[k] = Wide(center[k]);
+    // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): form has all entries
     for (int k = 0; k < at(n, 0); ++k) frame_.a[k] = Wide(form[k]);
     if (!invert_factor(n, frame_.a, 0x1p-50)) return false;
     eta_ = sensitivity_ = 0.0;
