@@ -46,7 +46,7 @@ class RandomAddition(NamedTuple):
 
     @property
     def time(self) -> float:
-        """Dimensionless time of the addition: attempts times the mean volume of an ellipsoid, divided by the volume of the cell."""
+        """Dimensionless time of the addition, which is attempts times mean volume of an ellipsoid, divided by the cell volume."""
         fraction = self.system.packing_fraction
         assert fraction is not None
         return self.attempts * fraction / max(len(self.system), 1)

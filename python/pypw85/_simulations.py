@@ -908,7 +908,7 @@ class HardEllipsoids:
 
     @property
     def steps(self) -> TrialSteps:
-        """Step sizes: the largest changes of a trial move. See `set_steps`."""
+        """The largest changes of a trial move. See `set_steps`."""
         with self._lock:
             return TrialSteps(*_core.hard_ellipsoids_steps(self._simulation)[1])
 
