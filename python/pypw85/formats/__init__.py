@@ -377,8 +377,8 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
 
         For files with columns: `convention`, the name of the program that wrote the table, or "none"; `shape_columns`,
         `quaternion_columns`, `angle_columns`, `polar` (two), `direction_columns` (three) and `ignore_columns`, lists of names of columns;
-        `euler`, the axes of the Euler angles, such as ``zyx`` (fixed axes) or ``ZYX`` (axes that rotate with the body); `angle_zero`, "x" or
-        "y"; `angle_sense`, "xy" or "yx".
+        `euler`, the axes of the Euler angles, such as ``zyx`` (fixed axes) or ``ZYX`` (axes that rotate with the body); `angle_zero`,
+        "x" or "y"; `angle_sense`, "xy" or "yx".
 
         For splats: `sigma`, the length of the semi-axes in standard deviations; `scales`, "log" or "linear"; `strict`, True to refuse
         splats that are too flat instead of enlarging their semi-axes. For a labelled image: `spacing`, the distance between pixels, one
