@@ -138,6 +138,7 @@ def check_pages(results):
 
 
 def check_format(results):
+    """What the texts alone say: nothing is built for it."""
     sources = tracked("*.c", "*.cpp", "*.h", "*.hpp")
     results.add("format", run(["clang-format", "--dry-run", "-Werror", *sources]))
     # The program leaves comments alone. A text between quotation marks may be longer: who searches for a message finds it.
@@ -145,6 +146,12 @@ def check_format(results):
             if len(line) > 100 and '"' not in line]  # fmt: skip
     print("".join(f"{place}: more than 100 columns\n" for place in long), end="")
     results.add("columns", not long)
+    scripts = [file for file in tracked("*.sh", ".ci/run", "debian/tests/consumer") if file != "scripts/packages.sh"]
+    results.add("shellcheck", run(["shellcheck", "-x", "-s", "sh", "-e", "SC2046", *scripts]))  # unquoted lists of words
+    prose = [file for file in tracked() if not file.endswith((".svg", ".png", ".ipynb", ".h5", ".js", ".out", "words.txt", "_pairs.txt"))]
+    results.add("codespell", run(["codespell", "-L", "calcuations,crate,fo,lod,nd,nin,numer,rotat,te", *prose]))
+    results.add("licences", run(["reuse", "lint"]))
+    add_unless_missing(results, "ruff", ["scripts/sid.sh", "ruff", "check"])
 
 
 def check_with_libraries(results, machine):
@@ -230,12 +237,6 @@ def tracked(*patterns):
 def check_static(results):
     """Static analysis, beside the compilers' warnings and mypy, which the tests run. The analyser of GCC 12 is only for C, where it
     would see only programs that use the library."""
-    scripts = [file for file in tracked("*.sh", ".ci/run", "debian/tests/consumer") if file != "scripts/packages.sh"]
-    results.add("shellcheck", run(["shellcheck", "-x", "-s", "sh", "-e", "SC2046", *scripts]))  # unquoted lists of words
-    prose = [file for file in tracked() if not file.endswith((".svg", ".png", ".ipynb", ".h5", ".js", ".out", "words.txt", "_pairs.txt"))]
-    results.add("codespell", run(["codespell", "-L", "calcuations,crate,fo,lod,nd,nin,numer,rotat,te", *prose]))
-    results.add("licences", run(["reuse", "lint"]))
-    add_unless_missing(results, "ruff", ["scripts/sid.sh", "ruff", "check"])
     glib = subprocess.run(["pkg-config", "--cflags", "glib-2.0"], check=True, text=True, stdout=subprocess.PIPE).stdout.split()
     for file in tracked("*.c", ":!tests/headers/c89.c", ":!r/src", ":!octave/src"):  # R and Octave are not installed
         results.add(f"analyzer: {file}", run(["gcc", "-std=c99", "-O2", "-fanalyzer", "-Werror", "-Iinclude",
@@ -518,11 +519,11 @@ PARTS = {
     "sanitizers": Part(check_sanitizers, f"{TEST} clang libclang-rt-14-dev"),
     "pages": Part(check_pages, f"{TEST} libbenchmark-dev libfcl-dev {PAGES}", after=("tests",)),
     "lammps": Part(check_lammps, f"{TEST} {LAMMPS}", after=("tests",)),
-    "format": Part(check_format, "git clang-format"),
+    "format": Part(check_format, "git clang-format shellcheck codespell reuse"),
     "tutorial": Part(check_tutorial, "$build_packages", after=("tests",), alone=True),
     "pip": Part(check_pip, "$python_packages", after=("tests",), by_default=False, alone=True),
     "wheel": Part(check_wheel, TEST, after=("tests",)),
-    "static": Part(check_static, f"{TEST} git shellcheck codespell reuse", after=("tests",)),
+    "static": Part(check_static, f"{TEST} git", after=("tests",)),
     "clang": Part(check_clang, f"{TEST} clang"),
     "clang-tidy": Part(check_tidy, f"{TEST} clang clang-tidy", after=("clang",)),
     "whole-clang-tidy": Part(check_whole_tidy, f"{TEST} clang clang-tidy", after=("clang", "clang-tidy"), by_default=False),
