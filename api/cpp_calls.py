@@ -65,7 +65,7 @@ class Call:
     def place(self, one):
         """Where a parameter is: a parameter of C++, or a member of one or of the result."""
         name = one.members()[0]
-        if one.is_output() and name in self.members:
+        if one.is_output() and name.partition(".")[0] in self.members:
             return f"found.{name}"
         owners = (struct for struct, kind in self.types.items() if struct != one.name and name in structs().get(kind, ()))
         place = next((f"{struct}.{name}" for struct in owners), NAMES.get(one.name, one.name))
@@ -149,7 +149,10 @@ class Call:
     def split(self, one):
         """An output whose numbers are members of the result."""
         self.before.append(f"double {one.name}[{one.size}];")
-        self.after += [f"found.{name} = {one.name}[{k}];" for k, name in enumerate(one.members())]
+        width = one.size // len(one.members())
+        for k, name in enumerate(one.members()):
+            values = ", ".join(f"{one.name}[{i}]" for i in range(k * width, (k + 1) * width))
+            self.after.append(f"found.{name} = {values if width == 1 else f'{{{values}}}'};")
         return one.name
 
     def members_of(self, struct, one):

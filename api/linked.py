@@ -8,14 +8,15 @@ description names. Of an overlap the library does not give out the tier, which i
 
 import re
 
-from cpp import structs
+from cpp import by_hand, structs
 from cpp_calls import Call
 from declarations import c_functions, functions
 from layout import filled, renewed
 from public_headers import INCLUDE
 from refusals import refuse
+from shims import template_of
 
-TEMPLATES = "pw85/pw85.hpp"
+HEADER, TEMPLATES = INCLUDE / "pw85/linked.hpp", "pw85/pw85.hpp"
 NOT_GIVEN_OUT = {"Overlap": ("tier",)}
 OTHERS = (
     "Calls with other numbers take the templates, and so do these functions with doubles, of which the C API leaves out a part of the "
@@ -29,9 +30,20 @@ def result_of(template, dimension):
     return kind.replace("<T", "<double").replace(", D>", f", {dimension}>")
 
 
+def has_all(names, struct):
+    """Whether these are all members of a struct but the status, and of its members that are results (`relative.direction1`)."""
+    found = {}
+    for name in names:
+        first, _, inner = name.partition(".")
+        found.setdefault(first, set()).add(inner)
+    whole = [{*members} - {"status"} for members in structs().values()]
+    is_whole = all(inner == {""} or inner in whole for inner in found.values())
+    return is_whole and {*found} == {*structs()[struct]} - {"status", *NOT_GIVEN_OUT.get(struct, ())}
+
+
 def is_relative(template, function):
-    """Whether a function of C has the dimension and the inputs of a template, and gives out all members of the result, of which one
-    array takes several only if they are numbers. What constant expressions can call is not replaced."""
+    """Whether a function of C has the dimension and the inputs of a template, and gives out all members of the result. What constant
+    expressions can call is not replaced."""
     name, outputs = result_of(template, 0).partition("<")[0], function.outputs
     for one in outputs if name in structs() else ():
         unknown = sorted({member.partition(".")[0] for member in one.members()} - {*structs()[name]})
@@ -40,21 +52,22 @@ def is_relative(template, function):
     if template.type.startswith("constexpr ") or fixed not in (set(), {str(function.dimension)}):
         return False
     refuse(template.place, {f"no struct {name} in the headers of C++": name not in structs()})
-    needed = {*structs()[name]} - {"status", *NOT_GIVEN_OUT.get(name, ())}
-    same = len(function.inputs) == len(template.written) and {name for one in outputs for name in one.members()} == needed
-    return same and all(len(one.members()) in (1, one.length) for one in outputs)
+    return len(function.inputs) == len(template.written) and has_all([name for one in outputs for name in one.members()], name)
 
 
 def relatives():
     """The templates, each with a function of C."""
     for template in functions(TEMPLATES):
-        both = (c_functions().get(f"pw85_{template.name}{suffix}") for suffix in ("", "_2d"))
-        yield from ((template, function) for function in both if function and is_relative(template, function))
+        named = (c_functions().get(f"pw85_{template.name}{suffix}") for suffix in ("", "_2d", "_geometry", "_geometry_2d"))
+        yield from ((template, function) for function in named
+                    if function and template_of(function) == template.name and is_relative(template, function))
 
 
 def definition(template, function):
     call = Call(function, {}, result=result_of(template, function.dimension), out="detail::out")
     call.after += [f"found.{name} = OverlapTier::unknown;" for name in NOT_GIVEN_OUT.get(call.result, ())]
+    inner = dict.fromkeys(name.partition(".")[0] for one in function.outputs for name in one.members() if "." in name)
+    call.after += [f"found.{name}.status = found.status;" for name in inner]
     return call.text(template.name, head="PW85_LINKED", comment=[f"Computes {template.name}() by {function.name}()."])
 
 
@@ -64,12 +77,12 @@ def functions_of(place, said):
 
 def templates_of(place, said):
     """The names of templates that no function replaces."""
-    done = {template.name for template, _ in relatives()}
+    done = {template.name for template, _ in relatives()} | {*re.findall(r"^PW85_LINKED .*?(\w+)\(", by_hand(HEADER), re.MULTILINE)}
     rest = ", ".join(dict.fromkeys(f"{one.name}()" for one in functions(TEMPLATES) if one.name not in done))
     return "/// @file\n" + filled(f"{OTHERS} {rest}.", first="/// ") + "\n"
 
 
 def files():
     """The text of the header by its path."""
-    path = INCLUDE / "pw85/linked.hpp"
-    return {path: renewed(path.name, path.read_text(encoding="utf-8"), {"functions": functions_of, "templates": templates_of})}
+    text = HEADER.read_text(encoding="utf-8")
+    return {HEADER: renewed(HEADER.name, text, {"functions": functions_of, "templates": templates_of})}

@@ -14,6 +14,7 @@ from layout import wrapped
 from public_headers import ONE_ROW, SOURCE, statuses, version
 from refusals import entry_of, refuse
 from rows import TRUTHS, row_function, row_functions, rows_by_hand
+from shims import template_of
 from voice import PlainVoice, sentence
 
 FOLDER = SOURCE / "rust"
@@ -79,7 +80,7 @@ def values():
     of_function, rows, outputs = {}, {}, {}
     for row in (one for one in asked() if len(one.outputs) > 1 and not one.is_of_many()):
         name = row.name.removesuffix("_2d")
-        like = in_cpp.get(name) or entry_of(in_cpp, name.split("_")[0], "pw85.hpp", row.function.place)
+        like = in_cpp.get(template_of(row.function)) or entry_of(in_cpp, name.split("_")[0], "pw85.hpp", row.function.place)
         key = [(one.name, result_type(one)) for one in row.outputs]
         names = f"{like[1]}{'2d' if like[2] and row.name.endswith('_2d') else ''}", camel(row.name)
         struct = next(one for one in names if outputs.setdefault(one, key) == key)

@@ -123,12 +123,19 @@ def checks(function):
     yield line if len(line) <= WIDTH else f"{condition}\n{arguments('        return refused(null_pointer(', marked, '));')}"
 
 
+def template_of(function):
+    """The template of pw85.hpp that it calls: that of its name, or of its name without `_geometry`, whose result has all of the contact."""
+    name = name_in_cpp(function)
+    return name if name in [one.name for one in functions("pw85/pw85.hpp")] else name.removesuffix("_geometry")
+
+
 def body(function, of_kernels):
     name = name_in_cpp(function)
     if function.name in of_kernels:
         passed = [f"PW85_OF_PAIR(kernels::chosen(), {name})", *function.parameter_names()]
         return arguments("    return checked(in_default_environment(", passed, "), refused);")
-    called = arguments(f"        auto const result = pw85::{name}(", [loaded(function, one) for one in function.inputs], ");")
+    template = template_of(function)
+    called = arguments(f"        auto const result = pw85::{template}(", [loaded(function, one) for one in function.inputs], ");")
     outputs = [text for one in function.outputs for text in stored(one)]
     put = arguments("        return put(", ["result.status", *outputs], ");")
     return f"    int const status = in_default_environment([&] {{\n{called}\n{put}\n    }});\n    return checked(status, refused);"
@@ -151,7 +158,7 @@ def of_one_row(function, of_kernels):
 
 def homes_of(function):
     """The headers of the template that it calls."""
-    name = name_in_cpp(function)
+    name = template_of(function)
     is_declared, found = name in [one.name for one in functions("pw85/pw85.hpp")], homes(name)
     refuse(function.place, {f"pw85/pw85.hpp does not declare {name}(), which it calls": not is_declared,
                             f"no header of include/pw85/ defines {name}(), which it calls": not found})  # fmt: skip

@@ -156,14 +156,18 @@ module pw85
   public :: pw85_containment_2d
   public :: pw85_closest_approach_2d
   public :: pw85_distance
+  public :: pw85_distance_geometry
   public :: pw85_distance_derivatives
   public :: pw85_penetration
   public :: pw85_signed_distance
+  public :: pw85_signed_distance_geometry
   public :: pw85_signed_distance_derivatives
   public :: pw85_gap_inside
   public :: pw85_distance_2d
+  public :: pw85_distance_geometry_2d
   public :: pw85_penetration_2d
   public :: pw85_signed_distance_2d
+  public :: pw85_signed_distance_geometry_2d
   public :: pw85_gap_inside_2d
   public :: pw85_first_contact
   public :: pw85_closest_passage
@@ -251,14 +255,18 @@ module pw85
   public :: pw85_overlap_batch_2d
   public :: pw85_closest_approach_batch_2d
   public :: pw85_distance_batch
+  public :: pw85_distance_geometry_batch
   public :: pw85_distance_derivatives_batch
   public :: pw85_penetration_batch
   public :: pw85_signed_distance_batch
+  public :: pw85_signed_distance_geometry_batch
   public :: pw85_signed_distance_derivatives_batch
   public :: pw85_gap_inside_batch
   public :: pw85_distance_batch_2d
+  public :: pw85_distance_geometry_batch_2d
   public :: pw85_penetration_batch_2d
   public :: pw85_signed_distance_batch_2d
+  public :: pw85_signed_distance_geometry_batch_2d
   public :: pw85_gap_inside_batch_2d
   public :: pw85_first_contact_batch
   public :: pw85_closest_passage_batch
@@ -795,6 +803,16 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance
 
+    !> Computes the distance of two ellipsoids, as pw85_distance() does, with the closest points and
+    !> the normal there.
+    function pw85_distance_geometry(r12, q1, q2, distance, point1, point2, normal) result(status) &
+      bind(C, name='pw85_distance_geometry')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out), optional :: distance, point1(3), point2(3), normal(3)
+      integer(c_int) :: status
+    end function pw85_distance_geometry
+
     !> Computes the derivatives of the distance of two ellipsoids. Row k in C is hessian(:, k).
     function pw85_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) &
       bind(C, name='pw85_distance_derivatives')
@@ -821,6 +839,16 @@ module pw85
       real(c_double), intent(out), optional :: distance, point1(3), point2(3)
       integer(c_int) :: status
     end function pw85_signed_distance
+
+    !> Computes the signed distance of two ellipsoids, as pw85_signed_distance() does, with the
+    !> points where it is reached and the normal there.
+    function pw85_signed_distance_geometry(r12, q1, q2, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_signed_distance_geometry')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out), optional :: distance, point1(3), point2(3), normal(3)
+      integer(c_int) :: status
+    end function pw85_signed_distance_geometry
 
     !> Computes the derivatives of the signed distance of two ellipsoids. Row k in C is hessian(:,
     !> k).
@@ -850,6 +878,15 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_2d
 
+    !> Computes the distance of two ellipses with the closest points and the normal.
+    function pw85_distance_geometry_2d(r12, q1, q2, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_distance_geometry_2d')
+      import
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out), optional :: distance, point1(2), point2(2), normal(2)
+      integer(c_int) :: status
+    end function pw85_distance_geometry_2d
+
     !> Computes the penetration depth of two ellipses.
     function pw85_penetration_2d(r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_2d')
@@ -867,6 +904,16 @@ module pw85
       real(c_double), intent(out), optional :: distance, point1(2), point2(2)
       integer(c_int) :: status
     end function pw85_signed_distance_2d
+
+    !> Computes the signed distance of two ellipses with the points where it is reached and the
+    !> normal.
+    function pw85_signed_distance_geometry_2d(r12, q1, q2, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_signed_distance_geometry_2d')
+      import
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out), optional :: distance, point1(2), point2(2), normal(2)
+      integer(c_int) :: status
+    end function pw85_signed_distance_geometry_2d
 
     !> Computes the least gap of ellipse 2 inside ellipse 1.
     function pw85_gap_inside_2d(r12, q1, q2, gap, point1, point2, normal) result(status) bind(C, &
@@ -1740,6 +1787,16 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_batch
 
+    !> Computes pw85_distance_geometry() for n pairs.
+    function pw85_distance_geometry_batch(n, r12, q1, q2, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_distance_geometry_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_distance_geometry_batch
+
     !> Computes pw85_distance_derivatives() for n pairs, with bitwise equal results. Row k in C is
     !> hessian(:, k, i).
     function pw85_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) &
@@ -1771,6 +1828,16 @@ module pw85
       real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n)
       integer(c_int) :: status
     end function pw85_signed_distance_batch
+
+    !> Computes pw85_signed_distance_geometry() for n pairs.
+    function pw85_signed_distance_geometry_batch(n, r12, q1, q2, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_signed_distance_geometry_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_signed_distance_geometry_batch
 
     !> Computes pw85_signed_distance_derivatives() for n pairs, with bitwise equal results. Row k in
     !> C is hessian(:, k, i).
@@ -1804,6 +1871,16 @@ module pw85
       integer(c_int) :: status
     end function pw85_distance_batch_2d
 
+    !> Computes pw85_distance_geometry_2d() for n pairs, with bitwise equal results.
+    function pw85_distance_geometry_batch_2d(n, r12, q1, q2, distance, point1, point2, normal) &
+      result(status) bind(C, name='pw85_distance_geometry_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out), optional :: distance(n), point1(2, n), point2(2, n), normal(2, n)
+      integer(c_int) :: status
+    end function pw85_distance_geometry_batch_2d
+
     !> Computes pw85_penetration_2d() for n pairs, with bitwise equal results.
     function pw85_penetration_batch_2d(n, r12, q1, q2, depth, direction) result(status) bind(C, &
       name='pw85_penetration_batch_2d')
@@ -1823,6 +1900,16 @@ module pw85
       real(c_double), intent(out), optional :: distance(n), point1(2, n), point2(2, n)
       integer(c_int) :: status
     end function pw85_signed_distance_batch_2d
+
+    !> Computes pw85_signed_distance_geometry_2d() for n pairs, with bitwise equal results.
+    function pw85_signed_distance_geometry_batch_2d(n, r12, q1, q2, distance, point1, point2, &
+      normal) result(status) bind(C, name='pw85_signed_distance_geometry_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out), optional :: distance(n), point1(2, n), point2(2, n), normal(2, n)
+      integer(c_int) :: status
+    end function pw85_signed_distance_geometry_batch_2d
 
     !> Computes pw85_gap_inside_2d() for n pairs, with bitwise equal results.
     function pw85_gap_inside_batch_2d(n, r12, q1, q2, gap, point1, point2, normal) result(status) &

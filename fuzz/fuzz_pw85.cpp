@@ -74,6 +74,8 @@ bool may_be_absent(Call const &call, std::size_t k)
 {
     std::string const function = call.function().name;
     return contains(function, "distance_derivatives") ||
+           (contains(function, "distance_geometry") &&
+            is_one_of(call.parameter(k).name, {"normal"})) ||
            is_one_of(call.parameter(k).name, {"point1", "point2"}) ||
            (contains(function, "penetration") &&
             is_one_of(call.parameter(k).name, {"direction"})) ||

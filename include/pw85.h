@@ -699,6 +699,19 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
 PW85_API int pw85_distance(double const r12[3], double const q1[6], double const q2[6],
                            double *distance, double point1[3], double point2[3]);
 
+/** Computes the distance of two ellipsoids, as pw85_distance() does, with the closest points and
+ * the normal there.
+ *
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] distance,point1,point2 [as pw85_distance()]
+ * @param[out] normal [optional] unit vector, outward from ellipsoid 1 and into ellipsoid 2: the
+ *        derivative of the distance with respect to r12; NaN if the ellipsoids overlap, also on
+ *        success
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() */
+PW85_API int pw85_distance_geometry(double const r12[3], double const q1[6], double const q2[6],
+                                    double *distance, double point1[3], double point2[3],
+                                    double normal[3]);
+
 /** Computes the derivatives of the distance of two ellipsoids. The derivatives are NaN if the
  * ellipsoids overlap, also on success.
  *
@@ -767,6 +780,19 @@ PW85_API int pw85_penetration(double const r12[3], double const q1[6], double co
 PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], double const q2[6],
                                   double *distance, double point1[3], double point2[3]);
 
+/** Computes the signed distance of two ellipsoids, as pw85_signed_distance() does, with the points
+ * where it is reached and the normal there.
+ *
+ * @param r12,q1,q2 [as pw85_contact()]
+ * @param[out] distance,point1,point2 [as pw85_signed_distance()]
+ * @param[out] normal [optional] unit vector, outward from ellipsoid 1 and into ellipsoid 2: the
+ *        derivative of the signed distance with respect to r12
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for
+ *        pw85_signed_distance() */
+PW85_API int pw85_signed_distance_geometry(double const r12[3], double const q1[6],
+                                           double const q2[6], double *distance, double point1[3],
+                                           double point2[3], double normal[3]);
+
 /** Computes the derivatives of the signed distance of two ellipsoids.
  *
  * At contact, the derivatives are the limits from both sides. The function has no output for
@@ -828,6 +854,15 @@ PW85_API int pw85_gap_inside(double const r12[3], double const q1[6], double con
 PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3],
                               double *distance, double point1[2], double point2[2]);
 
+/** Computes the distance of two ellipses with the closest points and the normal; see
+ * pw85_distance_geometry().
+ *
+ * @param r12,q1,q2 [as pw85_distance_geometry()]
+ * @param[out] distance,point1,point2,normal [as pw85_distance_geometry()] */
+PW85_API int pw85_distance_geometry_2d(double const r12[2], double const q1[3], double const q2[3],
+                                       double *distance, double point1[2], double point2[2],
+                                       double normal[2]);
+
 /** Computes the penetration depth of two ellipses; see pw85_penetration().
  *
  * @param r12,q1,q2 [as pw85_penetration()]
@@ -841,6 +876,15 @@ PW85_API int pw85_penetration_2d(double const r12[2], double const q1[3], double
  * @param[out] distance,point1,point2 [as pw85_signed_distance()] */
 PW85_API int pw85_signed_distance_2d(double const r12[2], double const q1[3], double const q2[3],
                                      double *distance, double point1[2], double point2[2]);
+
+/** Computes the signed distance of two ellipses with the points where it is reached and the normal;
+ * see pw85_signed_distance_geometry().
+ *
+ * @param r12,q1,q2 [as pw85_signed_distance_geometry()]
+ * @param[out] distance,point1,point2,normal [as pw85_signed_distance_geometry()] */
+PW85_API int pw85_signed_distance_geometry_2d(double const r12[2], double const q1[3],
+                                              double const q2[3], double *distance,
+                                              double point1[2], double point2[2], double normal[2]);
 
 /** Computes the least gap of ellipse 2 inside ellipse 1; see pw85_gap_inside().
  *

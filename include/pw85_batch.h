@@ -434,6 +434,19 @@ PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, 
 PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                  double *distance, double *point1, double *point2);
 
+/** Computes pw85_distance_geometry() for n pairs. Points and normals of pairs that overlap are NaN.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_distance_geometry(), of the first bad pair */
+PW85_API int pw85_distance_geometry_batch(size_t n, double const *r12, double const *q1,
+                                          double const *q2, double *distance, double *point1,
+                                          double *point2, double *normal);
+
 /** Computes pw85_distance_derivatives() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
@@ -471,6 +484,21 @@ PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double cons
                                         double const *q2, double *distance, double *point1,
                                         double *point2);
 
+/** Computes pw85_signed_distance_geometry() for n pairs. The errors have the same bounds. The
+ * results are bitwise equal where the ellipsoids overlap; where they are apart, the last bits may
+ * differ.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×3; length]
+ * @param q1,q2 [n×6; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×3; length; optional]
+ * @param[out] normal [n×3; optional]
+ * @return as for pw85_signed_distance_geometry(), of the first bad pair */
+PW85_API int pw85_signed_distance_geometry_batch(size_t n, double const *r12, double const *q1,
+                                                 double const *q2, double *distance, double *point1,
+                                                 double *point2, double *normal);
+
 /** Computes pw85_signed_distance_derivatives() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
@@ -507,6 +535,19 @@ PW85_API int pw85_gap_inside_batch(size_t n, double const *r12, double const *q1
 PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                     double *distance, double *point1, double *point2);
 
+/** Computes pw85_distance_geometry_2d() for n pairs, with bitwise equal results.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×2; length; optional]
+ * @param[out] normal [n×2; optional]
+ * @return as for pw85_distance_geometry_2d(), of the first bad pair */
+PW85_API int pw85_distance_geometry_batch_2d(size_t n, double const *r12, double const *q1,
+                                             double const *q2, double *distance, double *point1,
+                                             double *point2, double *normal);
+
 /** Computes pw85_penetration_2d() for n pairs, with bitwise equal results.
  *
  * @param n [number of pairs]
@@ -529,6 +570,19 @@ PW85_API int pw85_penetration_batch_2d(size_t n, double const *r12, double const
 PW85_API int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1,
                                            double const *q2, double *distance, double *point1,
                                            double *point2);
+
+/** Computes pw85_signed_distance_geometry_2d() for n pairs, with bitwise equal results.
+ *
+ * @param n [number of pairs]
+ * @param r12 [n×2; length]
+ * @param q1,q2 [n×3; length²; definite]
+ * @param[out] distance [n; length; optional]
+ * @param[out] point1,point2 [n×2; length; optional]
+ * @param[out] normal [n×2; optional]
+ * @return as for pw85_signed_distance_geometry_2d(), of the first bad pair */
+PW85_API int pw85_signed_distance_geometry_batch_2d(size_t n, double const *r12, double const *q1,
+                                                    double const *q2, double *distance,
+                                                    double *point1, double *point2, double *normal);
 
 /** Computes pw85_gap_inside_2d() for n pairs, with bitwise equal results.
  *

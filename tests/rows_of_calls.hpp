@@ -12,21 +12,35 @@ namespace pw85_tests {
 
 // These have lanes, whose last bits differ, codes or objects of their own, or arrays of other
 // lengths: other programs test them.
-inline std::vector<std::string> const with_lanes = {
-    "pw85_contact_batch",          "pw85_overlap_batch",
-    "pw85_closest_approach_batch", "pw85_contact_batch_2d",
-    "pw85_overlap_batch_2d",       "pw85_distance_batch",
-    "pw85_contains_batch",         "pw85_compare_batch",
-    "pw85_overlap_witness_batch",  "pw85_overlap_segment_batch",
-    "pw85_overlap_triangle_batch", "pw85_overlap_box_batch",
-    "pw85_overlap_capsule_batch",  "pw85_overlap_segment_batch_2d",
-    "pw85_overlap_box_batch_2d",   "pw85_overlap_factored_batch",
-    "pw85_mesh_contact_batch",     "pw85_mesh_distance_batch",
-    "pw85_mesh_overlap_batch",     "pw85_contact_polytope_batch",
-    "pw85_overlap_polytope_batch", "pw85_closest_passage_batch",
-    "pw85_contact_segment_batch",  "pw85_contact_triangle_batch",
-    "pw85_contact_box_batch",      "pw85_grain_contact_batch",
-    "pw85_signed_distance_batch"};
+inline std::vector<std::string> const with_lanes = {"pw85_contact_batch",
+                                                    "pw85_overlap_batch",
+                                                    "pw85_closest_approach_batch",
+                                                    "pw85_contact_batch_2d",
+                                                    "pw85_overlap_batch_2d",
+                                                    "pw85_distance_batch",
+                                                    "pw85_contains_batch",
+                                                    "pw85_compare_batch",
+                                                    "pw85_overlap_witness_batch",
+                                                    "pw85_overlap_segment_batch",
+                                                    "pw85_overlap_triangle_batch",
+                                                    "pw85_overlap_box_batch",
+                                                    "pw85_overlap_capsule_batch",
+                                                    "pw85_overlap_segment_batch_2d",
+                                                    "pw85_overlap_box_batch_2d",
+                                                    "pw85_overlap_factored_batch",
+                                                    "pw85_mesh_contact_batch",
+                                                    "pw85_mesh_distance_batch",
+                                                    "pw85_mesh_overlap_batch",
+                                                    "pw85_contact_polytope_batch",
+                                                    "pw85_overlap_polytope_batch",
+                                                    "pw85_closest_passage_batch",
+                                                    "pw85_contact_segment_batch",
+                                                    "pw85_contact_triangle_batch",
+                                                    "pw85_contact_box_batch",
+                                                    "pw85_grain_contact_batch",
+                                                    "pw85_signed_distance_batch",
+                                                    "pw85_distance_geometry_batch",
+                                                    "pw85_signed_distance_geometry_batch"};
 
 /// The function of one row of a function of many, by its name; null if it has lanes or no such
 /// relative.

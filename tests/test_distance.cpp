@@ -36,14 +36,23 @@ double largest_difference(pw85::Vector<T, D> const &x, pw85::Vector<T, D> const 
     return static_cast<double>(pw85::detail::largest_coordinate(difference(x, y)));
 }
 
+/// Both functions of the C API, which give the same bits.
 template <int D> pw85::Distance<double, D> c_distance(Sample<double, D> const &p)
 {
-    pw85::Distance<double, D> d{};
+    pw85::Distance<double, D> d{}, plain{};
     double const *r12 = p.r12.coordinates, *q1 = p.q1.entries, *q2 = p.q2.entries;
-    double *point1 = d.point1.coordinates, *point2 = d.point2.coordinates;
-    int const status = D == 3 ? pw85_distance(r12, q1, q2, &d.distance, point1, point2)
-                              : pw85_distance_2d(r12, q1, q2, &d.distance, point1, point2);
+    double *point1 = d.point1.coordinates, *point2 = d.point2.coordinates,
+           *normal = d.normal.coordinates;
+    int const status =
+        D == 3 ? pw85_distance_geometry(r12, q1, q2, &d.distance, point1, point2, normal)
+               : pw85_distance_geometry_2d(r12, q1, q2, &d.distance, point1, point2, normal);
     d.status = static_cast<pw85::Status>(status);
+    point1 = plain.point1.coordinates, point2 = plain.point2.coordinates;
+    g_assert_cmpint(D == 3 ? pw85_distance(r12, q1, q2, &plain.distance, point1, point2)
+                           : pw85_distance_2d(r12, q1, q2, &plain.distance, point1, point2),
+                    ==, status);
+    std::size_t const size = (1 + 2 * D) * sizeof(double);
+    g_assert_cmpmem(&d.distance, size, &plain.distance, size);
     return d;
 }
 
@@ -163,8 +172,9 @@ PW85_TEST("/distance/certificate")
         double normal[3];
         pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, normal, nullptr,
                                   nullptr, nullptr);
+        g_assert_cmpmem(normal, sizeof normal, d.normal.coordinates, sizeof normal);
         auto const p = convert<Wide>(s);
-        auto const unit = convert<Wide>(pw85::Vector<double, 3>{normal[0], normal[1], normal[2]});
+        auto const unit = convert<Wide>(d.normal);
         Wide const lower = (pw85::dot(unit, p.r12) - pw85::detail::support(p.q1, unit).extent -
                             pw85::detail::support(p.q2, unit).extent) /
                            norm(unit);

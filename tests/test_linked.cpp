@@ -34,6 +34,15 @@ std::vector<double> members(pw85::Overlap const &result) { return {double(result
 std::vector<double> members(pw85::Containment const &result) { return {double(result.contains)}; }
 std::vector<double> members(pw85::ShapeOverlap const &result) { return {double(result.overlap)}; }
 std::vector<double> members(pw85::Comparison const &result) { return {double(result.sign)}; }
+std::vector<double> members(pw85::HertzContact<double> const &result)
+{
+    std::vector<double> x{result.depth, double(result.relative.status),
+                          double(result.hertz.status)};
+    for (int i = 0; i < 3; ++i) x.push_back(result.point[i]);
+    for (auto const &inner : {members(result.relative), members(result.hertz)})
+        x.insert(x.end(), inner.begin(), inner.end());
+    return x;
+}
 
 /// Both sum in other orders and with other instructions: 2⁻²⁰ of the largest member is far above
 /// that for these pairs, and far below any member in the place of another.
@@ -73,7 +82,9 @@ void check_any_dimension(Failures &failures, Sample<double, D> const &p, double 
     COMPARE(contains, r, q1, q2);
     COMPARE(containment, r, q1, q2);
     COMPARE(closest_approach, r, q1, q2);
+    COMPARE(distance, r, q1, q2);
     COMPARE(penetration, r, q1, q2);
+    COMPARE(signed_distance, r, q1, q2);
     COMPARE(second_moments, q1);
     COMPARE(from_moments, q1);
     COMPARE(shell_moments, q1);
@@ -103,6 +114,8 @@ void check_pair(Failures &failures, Sample<double, 3> const &p, double lambda, R
     COMPARE(first_contact, r, q1, q2, m1, m2, 2.0);
     COMPARE(closest_passage, r, q1, q2, v, 2.0);
     COMPARE(free_path, r, q1, q2, v, 2.0);
+    COMPARE(curvature, r, q1);
+    COMPARE(hertz_contact, r, q1, q2, r);
     COMPARE(grain_contact, r, q1, q2, r);
     COMPARE(grain_radius_gradient, r, q1, q2, r);
 }
@@ -118,6 +131,12 @@ void check_walls(Failures &failures, Sample<double, 3> const &p, Random &random)
         lower[i] = std::fmin(a[i], b[i]) + r[i];
         upper[i] = std::fmax(a[i], b[i]) + r[i];
     }
+    double const normals[] = {n[0], n[1], n[2], a[0], a[1], a[2]};
+    double const offsets[] = {0.25 * size, 0.5 * size * size};
+    COMPARE(contact_polytope, 2, normals, offsets, q);
+    COMPARE(contact_polytope, 2, normals, offsets, q, r);
+    COMPARE(overlap_polytope, 2, normals, offsets, q);
+    COMPARE(overlap_polytope, 2, normals, offsets, q, r);
     COMPARE(overlap_volume_plane, n, 0.25 * size, q);
     COMPARE(distance_plane_derivatives, n, q);
     COMPARE(grain_contact_wall, n, 0.25 * size, a, 0.5 / size, q);

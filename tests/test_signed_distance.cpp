@@ -3,6 +3,7 @@
 // include/pw85/distance/signed_distance.hpp.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 
@@ -33,16 +34,24 @@ struct Result {
     double hessian[9][9];
 };
 
-/// Both functions of the C API.
+/// The three functions of the C API, of which that with the normal gives the bits of the others.
 Result signed_distance(Sample<double, 3> const &p)
 {
-    Result d{};
+    Result d{}, with_normal{};
     d.status = pw85_signed_distance(p.r12.coordinates, p.q1.entries, p.q2.entries, &d.distance,
                                     d.point1.coordinates, d.point2.coordinates);
+    g_assert_cmpint(pw85_signed_distance_geometry(
+                        p.r12.coordinates, p.q1.entries, p.q2.entries, &with_normal.distance,
+                        with_normal.point1.coordinates, with_normal.point2.coordinates,
+                        with_normal.normal.coordinates),
+                    ==, d.status);
     g_assert_cmpint(pw85_signed_distance_derivatives(p.r12.coordinates, p.q1.entries, p.q2.entries,
                                                      d.normal.coordinates, d.rotation1.coordinates,
                                                      d.rotation2.coordinates, *d.hessian),
                     ==, d.status);
+    g_assert_cmpmem(&d.distance, offsetof(Result, rotation1) - offsetof(Result, distance),
+                    &with_normal.distance,
+                    offsetof(Result, rotation1) - offsetof(Result, distance));
     return d;
 }
 

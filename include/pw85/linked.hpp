@@ -17,13 +17,13 @@
 /// Calls with other numbers take the templates, and so do these functions with doubles, of which
 /// the C API leaves out a part of the result or which constant expressions call: spheroid(),
 /// ellipsoid(), ellipsoid_quaternion(), ellipsoid_factor(), bounding_box(), decide_overlap(),
-/// overlap_witness(), distance(), signed_distance(), curvature(), hertz(), hertz_contact(),
-/// distance_plane(), contact_polytope(), overlap_polytope().
+/// overlap_witness(), hertz(), distance_plane().
 // clang-format on
 #ifndef PW85_LINKED_HPP_INCLUDED
 #define PW85_LINKED_HPP_INCLUDED
 
 #include <pw85.h>
+#include <pw85_batch.h>
 
 #include <pw85/pw85.hpp>
 
@@ -571,6 +571,36 @@ PW85_LINKED ClosestApproach<double> closest_approach(Vector<double, 2> const &di
     return found;
 }
 
+/// Computes distance() by pw85_distance_geometry().
+PW85_LINKED Distance<double, 3> distance(Vector<double, 3> const &r12,
+                                         SymmetricMatrix<double, 3> const &q1,
+                                         SymmetricMatrix<double, 3> const &q2) noexcept
+{
+    Distance<double, 3> found{};
+    found.status = static_cast<StatusCode>(pw85_distance_geometry(r12.coordinates, q1.entries,
+                                                                  q2.entries,
+                                                                  detail::out(found.distance),
+                                                                  detail::out(found.point1),
+                                                                  detail::out(found.point2),
+                                                                  detail::out(found.normal)));
+    return found;
+}
+
+/// Computes distance() by pw85_distance_geometry_2d().
+PW85_LINKED Distance<double, 2> distance(Vector<double, 2> const &r12,
+                                         SymmetricMatrix<double, 2> const &q1,
+                                         SymmetricMatrix<double, 2> const &q2) noexcept
+{
+    Distance<double, 2> found{};
+    found.status = static_cast<StatusCode>(pw85_distance_geometry_2d(r12.coordinates, q1.entries,
+                                                                     q2.entries,
+                                                                     detail::out(found.distance),
+                                                                     detail::out(found.point1),
+                                                                     detail::out(found.point2),
+                                                                     detail::out(found.normal)));
+    return found;
+}
+
 /// Computes distance_derivatives() by pw85_distance_derivatives().
 PW85_LINKED DistanceDerivatives<double> distance_derivatives(
     Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
@@ -638,6 +668,30 @@ PW85_LINKED GapInside<double, 2> gap_inside(Vector<double, 2> const &r12,
     return found;
 }
 
+/// Computes signed_distance() by pw85_signed_distance_geometry().
+PW85_LINKED Distance<double, 3> signed_distance(Vector<double, 3> const &r12,
+                                                SymmetricMatrix<double, 3> const &q1,
+                                                SymmetricMatrix<double, 3> const &q2) noexcept
+{
+    Distance<double, 3> found{};
+    found.status = static_cast<StatusCode>(pw85_signed_distance_geometry(
+        r12.coordinates, q1.entries, q2.entries, detail::out(found.distance),
+        detail::out(found.point1), detail::out(found.point2), detail::out(found.normal)));
+    return found;
+}
+
+/// Computes signed_distance() by pw85_signed_distance_geometry_2d().
+PW85_LINKED Distance<double, 2> signed_distance(Vector<double, 2> const &r12,
+                                                SymmetricMatrix<double, 2> const &q1,
+                                                SymmetricMatrix<double, 2> const &q2) noexcept
+{
+    Distance<double, 2> found{};
+    found.status = static_cast<StatusCode>(pw85_signed_distance_geometry_2d(
+        r12.coordinates, q1.entries, q2.entries, detail::out(found.distance),
+        detail::out(found.point1), detail::out(found.point2), detail::out(found.normal)));
+    return found;
+}
+
 /// Computes signed_distance_derivatives() by pw85_signed_distance_derivatives().
 PW85_LINKED DistanceDerivatives<double> signed_distance_derivatives(
     Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
@@ -693,6 +747,39 @@ PW85_LINKED FreePath<double> free_path(Vector<double, 3> const &r12,
     found.status = static_cast<StatusCode>(pw85_free_path(r12.coordinates, q1.entries, q2.entries,
                                                           direction.coordinates, t_max,
                                                           detail::out(found.length)));
+    return found;
+}
+
+/// Computes curvature() by pw85_curvature().
+PW85_LINKED Curvature<double> curvature(Vector<double, 3> const &normal,
+                                        SymmetricMatrix<double, 3> const &q) noexcept
+{
+    Curvature<double> found{};
+    double directions[6];
+    found.status = static_cast<StatusCode>(pw85_curvature(normal.coordinates, q.entries,
+                                                          detail::out(found.curvatures),
+                                                          directions));
+    found.direction1 = {directions[0], directions[1], directions[2]};
+    found.direction2 = {directions[3], directions[4], directions[5]};
+    return found;
+}
+
+/// Computes hertz_contact() by pw85_hertz_contact().
+PW85_LINKED HertzContact<double> hertz_contact(Vector<double, 3> const &r12,
+                                               SymmetricMatrix<double, 3> const &q1,
+                                               SymmetricMatrix<double, 3> const &q2,
+                                               Vector<double, 3> const &normal) noexcept
+{
+    HertzContact<double> found{};
+    double directions[6];
+    found.status = static_cast<StatusCode>(pw85_hertz_contact(
+        r12.coordinates, q1.entries, q2.entries, normal.coordinates, detail::out(found.depth),
+        detail::out(found.point), detail::out(found.relative.curvatures), directions,
+        detail::out(found.hertz.radius), detail::out(found.hertz.ellipse)));
+    found.relative.direction1 = {directions[0], directions[1], directions[2]};
+    found.relative.direction2 = {directions[3], directions[4], directions[5]};
+    found.relative.status = found.status;
+    found.hertz.status = found.status;
     return found;
 }
 
@@ -1058,6 +1145,33 @@ PW85_LINKED ShapeOverlap overlap_box(Vector<double, 2> const &lower, Vector<doub
     return found;
 }
 // clang-format on
+
+/// Computes contact_polytope() by pw85_contact_polytope_batch(), which takes a centre.
+PW85_LINKED ShapeContact<double, 3> contact_polytope(std::size_t n, double const *normals,
+                                                     double const *offsets,
+                                                     SymmetricMatrix<double, 3> const &q,
+                                                     Vector<double, 3> const &center = {}) noexcept
+{
+    ShapeContact<double, 3> found{};
+    found.status = static_cast<StatusCode>(
+        pw85_contact_polytope_batch(1, center.coordinates, q.entries, n, normals, offsets,
+                                    &found.mu2, found.point.coordinates));
+    return found;
+}
+
+/// Computes overlap_polytope() by pw85_overlap_polytope_batch(), which takes a centre.
+PW85_LINKED ShapeOverlap overlap_polytope(std::size_t n, double const *normals,
+                                          double const *offsets,
+                                          SymmetricMatrix<double, 3> const &q,
+                                          Vector<double, 3> const &center = {}) noexcept
+{
+    ShapeOverlap found{};
+    unsigned char answer = 0;
+    found.status = static_cast<StatusCode>(pw85_overlap_polytope_batch(
+        1, center.coordinates, q.entries, n, normals, offsets, &answer));
+    found.overlap = answer == 1;
+    return found;
+}
 
 } // namespace pw85
 

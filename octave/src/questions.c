@@ -189,6 +189,18 @@ static int distance_derivatives_3(size_t n, double const *const *in, void *const
     return pw85_distance_derivatives_batch(n, in[0], in[1], in[2], out[0], out[1], out[2], out[3]);
 }
 
+static int distance_geometry_2(size_t n, double const *const *in, void *const *out, size_t *row)
+{
+    (void)row;
+    return pw85_distance_geometry_batch_2d(n, in[0], in[1], in[2], out[0], out[1], out[2], out[3]);
+}
+
+static int distance_geometry_3(size_t n, double const *const *in, void *const *out, size_t *row)
+{
+    (void)row;
+    return pw85_distance_geometry_batch(n, in[0], in[1], in[2], out[0], out[1], out[2], out[3]);
+}
+
 static int ellipse_2(size_t n, double const *const *in, void *const *out, size_t *row)
 {
     for (*row = 0; *row < n; ++*row) {
@@ -389,6 +401,22 @@ static int signed_distance_derivatives_3(size_t n, double const *const *in, void
         out[3]);
 }
 
+static int signed_distance_geometry_2(size_t n, double const *const *in, void *const *out, size_t
+    *row)
+{
+    (void)row;
+    return pw85_signed_distance_geometry_batch_2d(n, in[0], in[1], in[2], out[0], out[1], out[2],
+        out[3]);
+}
+
+static int signed_distance_geometry_3(size_t n, double const *const *in, void *const *out, size_t
+    *row)
+{
+    (void)row;
+    return pw85_signed_distance_geometry_batch(n, in[0], in[1], in[2], out[0], out[1], out[2],
+        out[3]);
+}
+
 static int surface_area_3(size_t n, double const *const *in, void *const *out, size_t *row)
 {
     (void)row;
@@ -491,6 +519,12 @@ struct pw85_question const pw85_questions[] = {
         [1] = {distance_derivatives_3, false, 3, {{"r12", PW85_SEPARATION, 3}, {"q1", PW85_FORM1,
             6}, {"q2", PW85_FORM2, 6}}, 4, {3, 3, 3, 81}},
     }},
+    {"distance_geometry", 2, false, {
+        [0] = {distance_geometry_2, false, 3, {{"r12", PW85_SEPARATION, 2}, {"q1", PW85_FORM1, 3},
+            {"q2", PW85_FORM2, 3}}, 4, {1, 2, 2, 2}},
+        [1] = {distance_geometry_3, false, 3, {{"r12", PW85_SEPARATION, 3}, {"q1", PW85_FORM1, 6},
+            {"q2", PW85_FORM2, 6}}, 4, {1, 3, 3, 3}},
+    }},
     {"ellipse", 0, false, {
         [0] = {ellipse_2, false, 3, {{"a", PW85_VALUES, 1}, {"b", PW85_VALUES, 1}, {"angle",
             PW85_VALUES, 1}}, 1, {3}},
@@ -590,6 +624,12 @@ struct pw85_question const pw85_questions[] = {
     {"signed_distance_derivatives", 2, false, {
         [1] = {signed_distance_derivatives_3, false, 3, {{"r12", PW85_SEPARATION, 3}, {"q1",
             PW85_FORM1, 6}, {"q2", PW85_FORM2, 6}}, 4, {3, 3, 3, 81}},
+    }},
+    {"signed_distance_geometry", 2, false, {
+        [0] = {signed_distance_geometry_2, false, 3, {{"r12", PW85_SEPARATION, 2}, {"q1",
+            PW85_FORM1, 3}, {"q2", PW85_FORM2, 3}}, 4, {1, 2, 2, 2}},
+        [1] = {signed_distance_geometry_3, false, 3, {{"r12", PW85_SEPARATION, 3}, {"q1",
+            PW85_FORM1, 6}, {"q2", PW85_FORM2, 6}}, 4, {1, 3, 3, 3}},
     }},
     {"surface_area", 1, false, {
         [1] = {surface_area_3, false, 1, {{"q", PW85_FORM1, 6}}, 1, {1}},

@@ -608,6 +608,32 @@ def gap_inside_2d():
 
 
 @declared
+def distance_geometry():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> distance, point1, point2, normal = pypw85.distance_geometry([0, 5, 0], q, q)
+    >>> print(distance, normal)
+    3.0 [0. 1. 0.]
+    """
+
+
+@declared
+def signed_distance_geometry():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> distance, point1, point2, normal = pypw85.signed_distance_geometry([0, 1.5, 0], q, q)
+    >>> print(distance, normal)
+    -0.5 [0. 1. 0.]
+    """
+
+
+@declared
 def signed_distance_2d():
     """
     Examples

@@ -255,7 +255,7 @@ class _SignedDistance(_Value):
     @staticmethod
     def forward(ctx: Any, *pair: torch.Tensor) -> tuple[torch.Tensor, ...]:  # type: ignore[override]
         arrays = _arrays(pair)
-        distance, normal = _tensors((_core.signed_distance(*arrays)[0], _core.signed_distance_derivatives(*arrays)[0]))
+        distance, _, _, normal = _tensors(_core.signed_distance_geometry(*arrays))
         ctx.save_for_backward(*pair, distance, normal)
         ctx.mark_non_differentiable(normal)
         ctx.gradient = _GradientOfDistance

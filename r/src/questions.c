@@ -189,6 +189,18 @@ static int distance_derivatives_3(size_t n, double const *const *in, void *const
     return pw85_distance_derivatives_batch(n, in[0], in[1], in[2], out[0], out[1], out[2], out[3]);
 }
 
+static int distance_geometry_2(size_t n, double const *const *in, void *const *out, size_t *row)
+{
+    (void)row;
+    return pw85_distance_geometry_batch_2d(n, in[0], in[1], in[2], out[0], out[1], out[2], out[3]);
+}
+
+static int distance_geometry_3(size_t n, double const *const *in, void *const *out, size_t *row)
+{
+    (void)row;
+    return pw85_distance_geometry_batch(n, in[0], in[1], in[2], out[0], out[1], out[2], out[3]);
+}
+
 static int ellipse_2(size_t n, double const *const *in, void *const *out, size_t *row)
 {
     for (*row = 0; *row < n; ++*row) {
@@ -389,6 +401,22 @@ static int signed_distance_derivatives_3(size_t n, double const *const *in, void
         out[3]);
 }
 
+static int signed_distance_geometry_2(size_t n, double const *const *in, void *const *out, size_t
+    *row)
+{
+    (void)row;
+    return pw85_signed_distance_geometry_batch_2d(n, in[0], in[1], in[2], out[0], out[1], out[2],
+        out[3]);
+}
+
+static int signed_distance_geometry_3(size_t n, double const *const *in, void *const *out, size_t
+    *row)
+{
+    (void)row;
+    return pw85_signed_distance_geometry_batch(n, in[0], in[1], in[2], out[0], out[1], out[2],
+        out[3]);
+}
+
 static int surface_area_3(size_t n, double const *const *in, void *const *out, size_t *row)
 {
     (void)row;
@@ -523,6 +551,14 @@ struct pw85_question const pw85_questions[] = {
             "hessian_74", "hessian_75", "hessian_76", "hessian_77", "hessian_78", "hessian_79",
             "hessian_80", "hessian_81"}},
     }},
+    {"distance_geometry", 2, {
+        [0] = {distance_geometry_2, false, 3, {{"r12", PW85_SEPARATION, 2}, {"q1", PW85_FORM1, 3},
+            {"q2", PW85_FORM2, 3}}, 4, {1, 2, 2, 2}, {"distance", "point1_x", "point1_y",
+            "point2_x", "point2_y", "normal_x", "normal_y"}},
+        [1] = {distance_geometry_3, false, 3, {{"r12", PW85_SEPARATION, 3}, {"q1", PW85_FORM1, 6},
+            {"q2", PW85_FORM2, 6}}, 4, {1, 3, 3, 3}, {"distance", "point1_x", "point1_y",
+            "point1_z", "point2_x", "point2_y", "point2_z", "normal_x", "normal_y", "normal_z"}},
+    }},
     {"ellipse", 0, {
         [0] = {ellipse_2, false, 3, {{"a", PW85_VALUES, 1}, {"b", PW85_VALUES, 1}, {"angle",
             PW85_VALUES, 1}}, 1, {3}, {"xx", "xy", "yy"}},
@@ -656,6 +692,15 @@ struct pw85_question const pw85_questions[] = {
             "hessian_67", "hessian_68", "hessian_69", "hessian_70", "hessian_71", "hessian_72",
             "hessian_73", "hessian_74", "hessian_75", "hessian_76", "hessian_77", "hessian_78",
             "hessian_79", "hessian_80", "hessian_81"}},
+    }},
+    {"signed_distance_geometry", 2, {
+        [0] = {signed_distance_geometry_2, false, 3, {{"r12", PW85_SEPARATION, 2}, {"q1",
+            PW85_FORM1, 3}, {"q2", PW85_FORM2, 3}}, 4, {1, 2, 2, 2}, {"distance", "point1_x",
+            "point1_y", "point2_x", "point2_y", "normal_x", "normal_y"}},
+        [1] = {signed_distance_geometry_3, false, 3, {{"r12", PW85_SEPARATION, 3}, {"q1",
+            PW85_FORM1, 6}, {"q2", PW85_FORM2, 6}}, 4, {1, 3, 3, 3}, {"distance", "point1_x",
+            "point1_y", "point1_z", "point2_x", "point2_y", "point2_z", "normal_x", "normal_y",
+            "normal_z"}},
     }},
     {"surface_area", 1, {
         [1] = {surface_area_3, false, 1, {{"q", PW85_FORM1, 6}}, 1, {1}, {"area"}},

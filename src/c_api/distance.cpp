@@ -33,6 +33,27 @@ int pw85_distance(double const r12[3], double const q1[6], double const q2[6], d
                                           distance, point1, point2), refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_distance_geometry(int status, double const r12[3],
+                                                                 double const q1[6],
+                                                                 double const q2[6]) noexcept
+{
+    return refuse_call(status, "pw85_distance_geometry", Argument("r12", r12, 3),
+                       Argument("q1", q1, 6, limit::definite),
+                       Argument("q2", q2, 6, limit::definite));
+}
+
+int pw85_distance_geometry(double const r12[3], double const q1[6], double const q2[6],
+                           double *distance, double point1[3], double point2[3], double normal[3])
+{
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
+        return refuse_distance_geometry(status, r12, q1, q2);
+    };
+    if (any_null(r12, q1, q2))
+        return refused(null_pointer(distance, 1, point1, 3, point2, 3, normal, 3));
+    return checked(in_default_environment(PW85_OF_PAIR(kernels::chosen(), distance_geometry), r12,
+                                          q1, q2, distance, point1, point2, normal), refused);
+}
+
 [[gnu::cold, gnu::noinline]] static int refuse_distance_derivatives(int status, double const r12[3],
                                                                     double const q1[6],
                                                                     double const q2[6]) noexcept
@@ -93,6 +114,29 @@ int pw85_signed_distance(double const r12[3], double const q1[6], double const q
     if (any_null(r12, q1, q2)) return refused(null_pointer(distance, 1, point1, 3, point2, 3));
     return checked(in_default_environment(PW85_OF_PAIR(kernels::chosen(), signed_distance), r12, q1,
                                           q2, distance, point1, point2), refused);
+}
+
+[[gnu::cold, gnu::noinline]] static int refuse_signed_distance_geometry(int status,
+                                                                        double const r12[3],
+                                                                        double const q1[6],
+                                                                        double const q2[6]) noexcept
+{
+    return refuse_call(status, "pw85_signed_distance_geometry", Argument("r12", r12, 3),
+                       Argument("q1", q1, 6, limit::definite),
+                       Argument("q2", q2, 6, limit::definite));
+}
+
+int pw85_signed_distance_geometry(double const r12[3], double const q1[6], double const q2[6],
+                                  double *distance, double point1[3], double point2[3],
+                                  double normal[3])
+{
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
+        return refuse_signed_distance_geometry(status, r12, q1, q2);
+    };
+    if (any_null(r12, q1, q2))
+        return refused(null_pointer(distance, 1, point1, 3, point2, 3, normal, 3));
+    return checked(in_default_environment(PW85_OF_PAIR(kernels::chosen(), signed_distance_geometry),
+                                          r12, q1, q2, distance, point1, point2, normal), refused);
 }
 
 [[gnu::cold, gnu::noinline]] static int refuse_signed_distance_derivatives(

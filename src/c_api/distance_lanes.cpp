@@ -20,6 +20,14 @@ int pw85_distance_batch(size_t n, double const *r12, double const *q1, double co
                         DistanceArrays{distance, point1, point2}, r12, q1, q2);
 }
 
+int pw85_distance_geometry_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                 double *distance, double *point1, double *point2, double *normal)
+{
+    static constexpr char const *names[] = {"pw85_distance_geometry_batch", "r12", "q1", "q2"};
+    return compute_rows(names, n, PairArrays<3>{r12, q1, q2},
+                        DistanceArrays{distance, point1, point2, normal}, r12, q1, q2);
+}
+
 int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2,
                            double *depth, double *direction)
 {
@@ -34,4 +42,14 @@ int pw85_signed_distance_batch(size_t n, double const *r12, double const *q1, do
     static constexpr char const *names[] = {"pw85_signed_distance_batch", "r12", "q1", "q2"};
     return compute_rows(names, n, PairArrays<3>{r12, q1, q2},
                         SignedDistanceArrays{distance, point1, point2}, r12, q1, q2);
+}
+
+int pw85_signed_distance_geometry_batch(size_t n, double const *r12, double const *q1,
+                                        double const *q2, double *distance, double *point1,
+                                        double *point2, double *normal)
+{
+    static constexpr char const *names[] = {"pw85_signed_distance_geometry_batch", "r12", "q1",
+                                            "q2"};
+    return compute_rows(names, n, PairArrays<3>{r12, q1, q2},
+                        SignedDistanceArrays{distance, point1, point2, normal}, r12, q1, q2);
 }

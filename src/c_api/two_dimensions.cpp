@@ -382,6 +382,33 @@ int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3]
     return checked(status, refused);
 }
 
+[[gnu::cold, gnu::noinline]] static int refuse_distance_geometry_2d(int status, double const r12[2],
+                                                                    double const q1[3],
+                                                                    double const q2[3]) noexcept
+{
+    return refuse_call(status, "pw85_distance_geometry_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite));
+}
+
+int pw85_distance_geometry_2d(double const r12[2], double const q1[3], double const q2[3],
+                              double *distance, double point1[2], double point2[2],
+                              double normal[2])
+{
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
+        return refuse_distance_geometry_2d(status, r12, q1, q2);
+    };
+    if (any_null(r12, q1, q2))
+        return refused(null_pointer(distance, 1, point1, 2, point2, 2, normal, 2));
+    int const status = in_default_environment([&] {
+        auto const result = pw85::distance(load_vector<2>(r12), load_matrix<2>(q1),
+                                           load_matrix<2>(q2));
+        return put(result.status, result.distance, distance, result.point1, point1, result.point2,
+                   point2, result.normal, normal);
+    });
+    return checked(status, refused);
+}
+
 [[gnu::cold, gnu::noinline]] static int refuse_penetration_2d(int status, double const r12[2],
                                                               double const q1[3],
                                                               double const q2[3]) noexcept
@@ -427,6 +454,32 @@ int pw85_signed_distance_2d(double const r12[2], double const q1[3], double cons
                                                   load_matrix<2>(q2));
         return put(result.status, result.distance, distance, result.point1, point1, result.point2,
                    point2);
+    });
+    return checked(status, refused);
+}
+
+[[gnu::cold, gnu::noinline]] static int refuse_signed_distance_geometry_2d(
+    int status, double const r12[2], double const q1[3], double const q2[3]) noexcept
+{
+    return refuse_call(status, "pw85_signed_distance_geometry_2d", Argument("r12", r12, 2),
+                       Argument("q1", q1, 3, limit::definite),
+                       Argument("q2", q2, 3, limit::definite));
+}
+
+int pw85_signed_distance_geometry_2d(double const r12[2], double const q1[3], double const q2[3],
+                                     double *distance, double point1[2], double point2[2],
+                                     double normal[2])
+{
+    auto const refused = [&](int status) PW85_IN_COLD_PATH {
+        return refuse_signed_distance_geometry_2d(status, r12, q1, q2);
+    };
+    if (any_null(r12, q1, q2))
+        return refused(null_pointer(distance, 1, point1, 2, point2, 2, normal, 2));
+    int const status = in_default_environment([&] {
+        auto const result = pw85::signed_distance(load_vector<2>(r12), load_matrix<2>(q1),
+                                                  load_matrix<2>(q2));
+        return put(result.status, result.distance, distance, result.point1, point1, result.point2,
+                   point2, result.normal, normal);
     });
     return checked(status, refused);
 }

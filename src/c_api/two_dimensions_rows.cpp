@@ -91,6 +91,17 @@ int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double
                     OptionalRowsOf<2>{point2});
 }
 
+int pw85_distance_geometry_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                    double *distance, double *point1, double *point2,
+                                    double *normal)
+{
+    static constexpr char const *names[] = {"pw85_distance_geometry_batch_2d", "r12", "q1", "q2",
+                                            "distance", "point1", "point2", "normal"};
+    return each_row(names, n, pw85_distance_geometry_2d, RowsOf<2>{r12}, RowsOf<3>{q1},
+                    RowsOf<3>{q2}, OptionalRowsOf<1>{distance}, OptionalRowsOf<2>{point1},
+                    OptionalRowsOf<2>{point2}, OptionalRowsOf<2>{normal});
+}
+
 int pw85_penetration_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                               double *depth, double *direction)
 {
@@ -108,6 +119,17 @@ int pw85_signed_distance_batch_2d(size_t n, double const *r12, double const *q1,
     return each_row(names, n, pw85_signed_distance_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2},
                     OptionalRowsOf<1>{distance}, OptionalRowsOf<2>{point1},
                     OptionalRowsOf<2>{point2});
+}
+
+int pw85_signed_distance_geometry_batch_2d(size_t n, double const *r12, double const *q1,
+                                           double const *q2, double *distance, double *point1,
+                                           double *point2, double *normal)
+{
+    static constexpr char const *names[] = {"pw85_signed_distance_geometry_batch_2d", "r12", "q1",
+                                            "q2", "distance", "point1", "point2", "normal"};
+    return each_row(names, n, pw85_signed_distance_geometry_2d, RowsOf<2>{r12}, RowsOf<3>{q1},
+                    RowsOf<3>{q2}, OptionalRowsOf<1>{distance}, OptionalRowsOf<2>{point1},
+                    OptionalRowsOf<2>{point2}, OptionalRowsOf<2>{normal});
 }
 
 int pw85_gap_inside_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,

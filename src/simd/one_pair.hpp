@@ -21,9 +21,11 @@
     X(contact_hessian)                                                                             \
     X(closest_approach)                                                                            \
     X(distance)                                                                                    \
+    X(distance_geometry)                                                                           \
     X(distance_derivatives)                                                                        \
     X(penetration)                                                                                 \
     X(signed_distance)                                                                             \
+    X(signed_distance_geometry)                                                                    \
     X(signed_distance_derivatives)                                                                 \
     X(first_contact)                                                                               \
     X(contact_factored)                                                                            \

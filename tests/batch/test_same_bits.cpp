@@ -114,6 +114,20 @@ constexpr Function functions[] = {
                                                 row.q2.entries, number, point, normal);
          return *number > 0.0 ? status : PW85_EINVAL; // apart
      }},
+    {"signed_distance_geometry",
+     [](Row const &row, double *number, double *point, double *normal) {
+         return pw85_signed_distance_geometry(row.a.coordinates, row.q1.entries, row.q2.entries,
+                                              number, point, nullptr, normal);
+     },
+     [](std::size_t n, Rows const &rows, double *number, double *point, double *normal) {
+         return pw85_signed_distance_geometry_batch(n, rows.a.data(), rows.q1.data(),
+                                                    rows.q2.data(), number, point, nullptr, normal);
+     },
+     [](Row const &row, double *number, double *point, double *normal) {
+         int const status = pw85_distance_geometry_batch(
+             1, row.a.coordinates, row.q1.entries, row.q2.entries, number, point, nullptr, normal);
+         return *number > 0.0 ? status : PW85_EINVAL; // apart
+     }},
     {"overlap_volume",
      [](Row const &row, double *number, double *, double *) {
          return pw85_overlap_volume(row.a.coordinates, row.q1.entries, row.q2.entries, number);

@@ -487,6 +487,21 @@ static inline StatusCode distance_batch(Vectors r12, Forms q1, Forms q2, std::sp
     return detail::call_rows(pw85_distance_batch, r12, q1, q2, distance, point1, point2);
 }
 
+/// Computes pw85_distance_geometry() for many pairs: see pw85_distance_geometry_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] distance,point1,point2,normal one for each pair, or empty
+/// @return as for pw85_distance_geometry(), of the first bad pair
+static inline StatusCode distance_geometry_batch(Vectors r12, Forms q1, Forms q2,
+                                                 std::span<double> distance,
+                                                 std::span<Vector<double, 3>> point1 = {},
+                                                 std::span<Vector<double, 3>> point2 = {},
+                                                 std::span<Vector<double, 3>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_distance_geometry_batch, r12, q1, q2, distance, point1, point2,
+                             normal);
+}
+
 /// Computes distance_derivatives() for many pairs, with bitwise equal results: see
 /// pw85_distance_derivatives_batch().
 ///
@@ -524,6 +539,21 @@ static inline StatusCode signed_distance_batch(Vectors r12, Forms q1, Forms q2,
                                                std::span<Vector<double, 3>> point2 = {}) noexcept
 {
     return detail::call_rows(pw85_signed_distance_batch, r12, q1, q2, distance, point1, point2);
+}
+
+/// Computes pw85_signed_distance_geometry() for many pairs: see
+/// pw85_signed_distance_geometry_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] distance,point1,point2,normal one for each pair, or empty
+/// @return as for pw85_signed_distance_geometry(), of the first bad pair
+static inline StatusCode signed_distance_geometry_batch(
+    Vectors r12, Forms q1, Forms q2, std::span<double> distance,
+    std::span<Vector<double, 3>> point1 = {}, std::span<Vector<double, 3>> point2 = {},
+    std::span<Vector<double, 3>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_signed_distance_geometry_batch, r12, q1, q2, distance, point1,
+                             point2, normal);
 }
 
 /// Computes signed_distance_derivatives() for many pairs, with bitwise equal results: see
@@ -568,6 +598,22 @@ static inline StatusCode distance_batch(FlatVectors r12, FlatForms q1, FlatForms
     return detail::call_rows(pw85_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
 
+/// Computes pw85_distance_geometry_2d() for many pairs of ellipses, with bitwise equal results: see
+/// pw85_distance_geometry_batch_2d().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] distance,point1,point2,normal one for each pair, or empty
+/// @return as for pw85_distance_geometry_2d(), of the first bad pair
+static inline StatusCode distance_geometry_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                                 std::span<double> distance,
+                                                 std::span<Vector<double, 2>> point1 = {},
+                                                 std::span<Vector<double, 2>> point2 = {},
+                                                 std::span<Vector<double, 2>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_distance_geometry_batch_2d, r12, q1, q2, distance, point1, point2,
+                             normal);
+}
+
 /// Computes penetration() for many pairs of ellipses, with bitwise equal results: see
 /// pw85_penetration_batch_2d().
 ///
@@ -593,6 +639,21 @@ static inline StatusCode signed_distance_batch(FlatVectors r12, FlatForms q1, Fl
                                                std::span<Vector<double, 2>> point2 = {}) noexcept
 {
     return detail::call_rows(pw85_signed_distance_batch_2d, r12, q1, q2, distance, point1, point2);
+}
+
+/// Computes pw85_signed_distance_geometry_2d() for many pairs of ellipses, with bitwise equal
+/// results: see pw85_signed_distance_geometry_batch_2d().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] distance,point1,point2,normal one for each pair, or empty
+/// @return as for pw85_signed_distance_geometry_2d(), of the first bad pair
+static inline StatusCode signed_distance_geometry_batch(
+    FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> distance,
+    std::span<Vector<double, 2>> point1 = {}, std::span<Vector<double, 2>> point2 = {},
+    std::span<Vector<double, 2>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_signed_distance_geometry_batch_2d, r12, q1, q2, distance, point1,
+                             point2, normal);
 }
 
 /// Computes gap_inside() for many pairs of ellipses, with bitwise equal results: see

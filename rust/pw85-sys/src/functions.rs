@@ -307,6 +307,17 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
+    /// Computes the distance of two ellipsoids, as pw85_distance() does, with the closest points
+    /// and the normal there.
+    pub fn pw85_distance_geometry(
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
+    ) -> c_int;
     /// Computes the derivatives of the distance of two ellipsoids.
     pub fn pw85_distance_derivatives(
         r12: *const f64,
@@ -333,6 +344,17 @@ extern "C" {
         distance: *mut f64,
         point1: *mut f64,
         point2: *mut f64,
+    ) -> c_int;
+    /// Computes the signed distance of two ellipsoids, as pw85_signed_distance() does, with the
+    /// points where it is reached and the normal there.
+    pub fn pw85_signed_distance_geometry(
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
     ) -> c_int;
     /// Computes the derivatives of the signed distance of two ellipsoids.
     pub fn pw85_signed_distance_derivatives(
@@ -363,6 +385,16 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
+    /// Computes the distance of two ellipses with the closest points and the normal.
+    pub fn pw85_distance_geometry_2d(
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
+    ) -> c_int;
     /// Computes the penetration depth of two ellipses.
     pub fn pw85_penetration_2d(
         r12: *const f64,
@@ -379,6 +411,17 @@ extern "C" {
         distance: *mut f64,
         point1: *mut f64,
         point2: *mut f64,
+    ) -> c_int;
+    /// Computes the signed distance of two ellipses with the points where it is reached and the
+    /// normal.
+    pub fn pw85_signed_distance_geometry_2d(
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
     ) -> c_int;
     /// Computes the least gap of ellipse 2 inside ellipse 1.
     pub fn pw85_gap_inside_2d(
@@ -1072,6 +1115,17 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
+    /// Computes pw85_distance_geometry() for n pairs.
+    pub fn pw85_distance_geometry_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
+    ) -> c_int;
     /// Computes pw85_distance_derivatives() for n pairs, with bitwise equal results.
     pub fn pw85_distance_derivatives_batch(
         n: usize,
@@ -1101,6 +1155,17 @@ extern "C" {
         distance: *mut f64,
         point1: *mut f64,
         point2: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_signed_distance_geometry() for n pairs.
+    pub fn pw85_signed_distance_geometry_batch(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
     ) -> c_int;
     /// Computes pw85_signed_distance_derivatives() for n pairs, with bitwise equal results.
     pub fn pw85_signed_distance_derivatives_batch(
@@ -1134,6 +1199,17 @@ extern "C" {
         point1: *mut f64,
         point2: *mut f64,
     ) -> c_int;
+    /// Computes pw85_distance_geometry_2d() for n pairs, with bitwise equal results.
+    pub fn pw85_distance_geometry_batch_2d(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
+    ) -> c_int;
     /// Computes pw85_penetration_2d() for n pairs, with bitwise equal results.
     pub fn pw85_penetration_batch_2d(
         n: usize,
@@ -1152,6 +1228,17 @@ extern "C" {
         distance: *mut f64,
         point1: *mut f64,
         point2: *mut f64,
+    ) -> c_int;
+    /// Computes pw85_signed_distance_geometry_2d() for n pairs, with bitwise equal results.
+    pub fn pw85_signed_distance_geometry_batch_2d(
+        n: usize,
+        r12: *const f64,
+        q1: *const f64,
+        q2: *const f64,
+        distance: *mut f64,
+        point1: *mut f64,
+        point2: *mut f64,
+        normal: *mut f64,
     ) -> c_int;
     /// Computes pw85_gap_inside_2d() for n pairs, with bitwise equal results.
     pub fn pw85_gap_inside_batch_2d(

@@ -218,6 +218,22 @@ pub struct Distance {
     pub point2: [f64; 3],
 }
 
+/// Results of [`distance_geometry()`](crate::distance_geometry).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DistanceGeometry {
+    /// The distance, in the unit of `r12`.
+    pub distance: f64,
+    /// `point1`, `point2`: The closest points of ellipsoids 1 and 2, both relative to the centre
+    /// of ellipsoid 1.
+    pub point1: [f64; 3],
+    /// `point1`, `point2`: The closest points of ellipsoids 1 and 2, both relative to the centre
+    /// of ellipsoid 1.
+    pub point2: [f64; 3],
+    /// Unit vector, outward from ellipsoid 1 and into ellipsoid 2: the derivative of the distance
+    /// with respect to r12; NaN if the ellipsoids overlap.
+    pub normal: [f64; 3],
+}
+
 /// Results of [`distance_derivatives()`](crate::distance_derivatives),
 /// [`signed_distance_derivatives()`](crate::signed_distance_derivatives).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -243,6 +259,24 @@ pub struct Penetration {
     pub depth: f64,
     /// Unit vector along which ellipsoid 2 must move; NaN if the ellipsoids do not overlap.
     pub direction: [f64; 3],
+}
+
+/// Results of [`signed_distance_geometry()`](crate::signed_distance_geometry).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SignedDistanceGeometry {
+    /// The signed distance, in the unit of `r12`.
+    pub distance: f64,
+    /// `point1`, `point2`: The closest points of ellipsoids 1 and 2 if they are apart, or the
+    /// deepest points if they overlap, both relative to the centre of ellipsoid 1. The outward
+    /// normals there are opposite, and along point2 - point1.
+    pub point1: [f64; 3],
+    /// `point1`, `point2`: The closest points of ellipsoids 1 and 2 if they are apart, or the
+    /// deepest points if they overlap, both relative to the centre of ellipsoid 1. The outward
+    /// normals there are opposite, and along point2 - point1.
+    pub point2: [f64; 3],
+    /// Unit vector, outward from ellipsoid 1 and into ellipsoid 2: the derivative of the signed
+    /// distance with respect to r12.
+    pub normal: [f64; 3],
 }
 
 /// Results of [`gap_inside()`](crate::gap_inside).
@@ -278,6 +312,22 @@ pub struct Distance2d {
     pub point2: [f64; 2],
 }
 
+/// Results of [`distance_geometry_2d()`](crate::distance_geometry_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DistanceGeometry2d {
+    /// The distance, in the unit of `r12`.
+    pub distance: f64,
+    /// `point1`, `point2`: The closest points of ellipses 1 and 2, both relative to the centre of
+    /// ellipse 1.
+    pub point1: [f64; 2],
+    /// `point1`, `point2`: The closest points of ellipses 1 and 2, both relative to the centre of
+    /// ellipse 1.
+    pub point2: [f64; 2],
+    /// Unit vector, outward from ellipse 1 and into ellipse 2: the derivative of the distance
+    /// with respect to r12; NaN if the ellipses overlap.
+    pub normal: [f64; 2],
+}
+
 /// Results of [`penetration_2d()`](crate::penetration_2d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Penetration2d {
@@ -286,6 +336,24 @@ pub struct Penetration2d {
     pub depth: f64,
     /// Unit vector along which ellipse 2 must move; NaN if the ellipses do not overlap.
     pub direction: [f64; 2],
+}
+
+/// Results of [`signed_distance_geometry_2d()`](crate::signed_distance_geometry_2d).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SignedDistanceGeometry2d {
+    /// The signed distance, in the unit of `r12`.
+    pub distance: f64,
+    /// `point1`, `point2`: The closest points of ellipses 1 and 2 if they are apart, or the
+    /// deepest points if they overlap, both relative to the centre of ellipse 1. The outward
+    /// normals there are opposite, and along point2 - point1.
+    pub point1: [f64; 2],
+    /// `point1`, `point2`: The closest points of ellipses 1 and 2 if they are apart, or the
+    /// deepest points if they overlap, both relative to the centre of ellipse 1. The outward
+    /// normals there are opposite, and along point2 - point1.
+    pub point2: [f64; 2],
+    /// Unit vector, outward from ellipse 1 and into ellipse 2: the derivative of the signed
+    /// distance with respect to r12.
+    pub normal: [f64; 2],
 }
 
 /// Results of [`gap_inside_2d()`](crate::gap_inside_2d).
@@ -4087,6 +4155,123 @@ pub fn distance_batch(
     ) })
 }
 
+/// Computes the distance of two ellipsoids, as [`distance()`](crate::distance) does, with the
+/// closest points and the normal there.
+///
+/// # Arguments
+///
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`distance()`](crate::distance).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_geometry(
+///     &[5.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_geometry(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+) -> Result<DistanceGeometry, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 3];
+    let mut point2 = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_distance_geometry(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(DistanceGeometry { distance, point1, point2, normal })
+}
+
+/// Computes [`distance_geometry()`](crate::distance_geometry) for many pairs.
+///
+/// Points and normals of pairs that overlap are NaN.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`, `q2`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[5.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 3]; 2];
+/// let mut point2 = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::distance_geometry_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut distance),
+///     Some(&mut point1),
+///     Some(&mut point2),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_geometry_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 3]]>,
+    point2: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_distance_geometry_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_geometry_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+        pointer(normal),
+    ) })
+}
+
 /// Computes the derivatives of the distance of two ellipsoids.
 ///
 /// The derivatives are NaN if the ellipsoids overlap.
@@ -4432,6 +4617,125 @@ pub fn signed_distance_batch(
     ) })
 }
 
+/// Computes the signed distance of two ellipsoids, as
+/// [`signed_distance()`](crate::signed_distance) does, with the points where it is reached and
+/// the normal there.
+///
+/// # Arguments
+///
+/// - `r12`: Vector from the centre of ellipsoid 1 to that of ellipsoid 2. Unit: length.
+/// - `q1`, `q2`: Forms of the ellipsoids, in the square of the unit of `r12`. Unit: length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`signed_distance()`](crate::signed_distance).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::signed_distance_geometry(
+///     &[3.0, 0.5, 0.0],
+///     &[9.0, 0.0, 0.0, 4.0, 0.0, 1.0],
+///     &[0.25, 0.0, 0.0, 0.25, 0.0, 0.25],
+/// )?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn signed_distance_geometry(
+    r12: &[f64; 3],
+    q1: &[f64; 6],
+    q2: &[f64; 6],
+) -> Result<SignedDistanceGeometry, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 3];
+    let mut point2 = [0.0; 3];
+    let mut normal = [0.0; 3];
+    check(unsafe { sys::pw85_signed_distance_geometry(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(SignedDistanceGeometry { distance, point1, point2, normal })
+}
+
+/// Computes [`signed_distance_geometry()`](crate::signed_distance_geometry) for many pairs.
+///
+/// The errors have the same bounds. The results are bitwise equal where the ellipsoids overlap;
+/// where they are apart, the last bits may differ.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`, `q2`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5, 0.0]; 2];
+/// let q1 = [[9.0, 0.0, 0.0, 4.0, 0.0, 1.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.0, 0.25, 0.0, 0.25]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 3]; 2];
+/// let mut point2 = [[0.0; 3]; 2];
+/// let mut normal = [[0.0; 3]; 2];
+/// pw85::signed_distance_geometry_batch(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut distance),
+///     Some(&mut point1),
+///     Some(&mut point2),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn signed_distance_geometry_batch(
+    r12: &[[f64; 3]],
+    q1: &[[f64; 6]],
+    q2: &[[f64; 6]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 3]]>,
+    point2: Option<&mut [[f64; 3]]>,
+    normal: Option<&mut [[f64; 3]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_signed_distance_geometry_batch", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_signed_distance_geometry_batch(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+        pointer(normal),
+    ) })
+}
+
 /// Computes the derivatives of the signed distance of two ellipsoids.
 ///
 /// At contact, the derivatives are the limits from both sides. The function has no output for
@@ -4770,6 +5074,119 @@ pub fn distance_batch_2d(
     ) })
 }
 
+/// Computes the distance of two ellipses with the closest points and the normal; see
+/// [`distance_geometry()`](crate::distance_geometry).
+///
+/// # Arguments
+///
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`distance()`](crate::distance).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::distance_geometry_2d(&[5.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn distance_geometry_2d(
+    r12: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+) -> Result<DistanceGeometry2d, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 2];
+    let mut point2 = [0.0; 2];
+    let mut normal = [0.0; 2];
+    check(unsafe { sys::pw85_distance_geometry_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(DistanceGeometry2d { distance, point1, point2, normal })
+}
+
+/// Computes [`distance_geometry_2d()`](crate::distance_geometry_2d) for many pairs, with bitwise
+/// equal results.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`, `q2`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[5.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 2]; 2];
+/// let mut point2 = [[0.0; 2]; 2];
+/// let mut normal = [[0.0; 2]; 2];
+/// pw85::distance_geometry_batch_2d(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut distance),
+///     Some(&mut point1),
+///     Some(&mut point2),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn distance_geometry_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 2]]>,
+    point2: Option<&mut [[f64; 2]]>,
+    normal: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_distance_geometry_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_distance_geometry_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+        pointer(normal),
+    ) })
+}
+
 /// Computes the penetration depth of two ellipses; see [`penetration()`](crate::penetration).
 ///
 /// # Arguments
@@ -4964,6 +5381,121 @@ pub fn signed_distance_batch_2d(
         pointer(distance),
         pointer(point1),
         pointer(point2),
+    ) })
+}
+
+/// Computes the signed distance of two ellipses with the points where it is reached and the
+/// normal.
+///
+/// See [`signed_distance_geometry()`](crate::signed_distance_geometry).
+///
+/// # Arguments
+///
+/// - `r12`: Vector from the centre of ellipse 1 to that of ellipse 2. Unit: length.
+/// - `q1`, `q2`: Forms (xx, xy, yy) of the ellipses, in the square of the unit of `r12`. Unit:
+///   length².
+///
+/// # Errors
+///
+/// A number is not finite or a form is not positive definite. `Status::NoConvergence`: as for
+/// [`signed_distance()`](crate::signed_distance).
+///
+/// # Examples
+///
+/// ```
+/// let found = pw85::signed_distance_geometry_2d(&[3.0, 0.5], &[9.0, 0.0, 4.0], &[0.25, 0.0, 0.25])?;
+/// println!("{found:?}");
+/// # Ok::<(), pw85::Error>(())
+/// ```
+#[inline]
+pub fn signed_distance_geometry_2d(
+    r12: &[f64; 2],
+    q1: &[f64; 3],
+    q2: &[f64; 3],
+) -> Result<SignedDistanceGeometry2d, Error> {
+    let mut distance = 0.0;
+    let mut point1 = [0.0; 2];
+    let mut point2 = [0.0; 2];
+    let mut normal = [0.0; 2];
+    check(unsafe { sys::pw85_signed_distance_geometry_2d(
+        r12.as_ptr(),
+        q1.as_ptr(),
+        q2.as_ptr(),
+        &mut distance,
+        point1.as_mut_ptr(),
+        point2.as_mut_ptr(),
+        normal.as_mut_ptr(),
+    ) })?;
+    Ok(SignedDistanceGeometry2d { distance, point1, point2, normal })
+}
+
+/// Computes [`signed_distance_geometry_2d()`](crate::signed_distance_geometry_2d) for many pairs,
+/// with bitwise equal results.
+///
+/// # Arguments
+///
+/// - `r12`: Unit: length.
+/// - `q1`, `q2`: Unit: length².
+/// - `distance`: Unit: length.
+/// - `point1`, `point2`: Unit: length.
+///
+/// Row i of each slice belongs to row i of `r12`. An output that is `None` is not written.
+///
+/// # Errors
+///
+/// A slice has not as many rows as `r12`, or a row is refused. The outputs of such rows are NaN,
+/// 255 for truth values, 2 for signs; other rows are computed.
+///
+/// # Examples
+///
+/// ```
+/// let r12 = [[3.0, 0.5]; 2];
+/// let q1 = [[9.0, 0.0, 4.0]; 2];
+/// let q2 = [[0.25, 0.0, 0.25]; 2];
+/// let mut distance = [0.0; 2];
+/// let mut point1 = [[0.0; 2]; 2];
+/// let mut point2 = [[0.0; 2]; 2];
+/// let mut normal = [[0.0; 2]; 2];
+/// pw85::signed_distance_geometry_batch_2d(
+///     &r12,
+///     &q1,
+///     &q2,
+///     Some(&mut distance),
+///     Some(&mut point1),
+///     Some(&mut point2),
+///     Some(&mut normal),
+/// )?;
+/// assert_eq!(normal[0], normal[1]);
+/// # Ok::<(), pw85::Error>(())
+/// ```
+pub fn signed_distance_geometry_batch_2d(
+    r12: &[[f64; 2]],
+    q1: &[[f64; 3]],
+    q2: &[[f64; 3]],
+    distance: Option<&mut [f64]>,
+    point1: Option<&mut [[f64; 2]]>,
+    point2: Option<&mut [[f64; 2]]>,
+    normal: Option<&mut [[f64; 2]]>,
+) -> Result<(), Error> {
+    let n = r12.len();
+    let counts = [
+        ("q1", q1.len()),
+        ("q2", q2.len()),
+        ("distance", rows_of(&distance, n)),
+        ("point1", rows_of(&point1, n)),
+        ("point2", rows_of(&point2, n)),
+        ("normal", rows_of(&normal, n)),
+    ];
+    same_rows("pw85_signed_distance_geometry_batch_2d", "must have as many rows as r12", n, &counts)?;
+    check_rows(unsafe { sys::pw85_signed_distance_geometry_batch_2d(
+        n,
+        r12.as_ptr().cast(),
+        q1.as_ptr().cast(),
+        q2.as_ptr().cast(),
+        pointer(distance),
+        pointer(point1),
+        pointer(point2),
+        pointer(normal),
     ) })
 }
 

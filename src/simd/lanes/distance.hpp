@@ -15,14 +15,14 @@
 
 namespace pw85::detail::kernels {
 
-/// Distances and closest points. Any pointer may be null.
+/// Distances, closest points and normals. Any pointer may be null.
 struct DistanceArrays {
-    double *distance, *point1, *point2;
+    double *distance, *point1, *point2, *normal = nullptr;
 
     [[gnu::always_inline]] DistanceArrays from(std::size_t begin) const noexcept
     {
         return {row_or_null(distance, 1, begin), row_or_null(point1, 3, begin),
-                row_or_null(point2, 3, begin)};
+                row_or_null(point2, 3, begin), row_or_null(normal, 3, begin)};
     }
 };
 
@@ -51,8 +51,8 @@ PW85_INLINE DistancePair<Pack, 3> with_units(LanePair<3> const &pair) noexcept
     return {pair.r12, pair.q1, pair.q2, Pack(1.0), Pack(1.0)};
 }
 
-/// Stores the distances and closest points of consecutive pairs. In `d`, point 2 is relative to its
-/// own centre.
+/// Stores the distances, closest points and normals of consecutive pairs. In `d`, point 2 is
+/// relative to its own centre.
 PW85_INLINE void store_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> const &r12,
                                  std::size_t first, std::size_t left,
                                  kernels::DistanceArrays const &out) noexcept
@@ -62,9 +62,10 @@ PW85_INLINE void store_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> con
     Vector<Pack, 3> point2;
     for (int i = 0; i < 3; ++i) point2[i] = r12[i] - d.point2[i];
     if (out.point2 != nullptr) store_rows(point2, left, out.point2 + 3 * first);
+    if (out.normal != nullptr) store_rows(d.normal, left, out.normal + 3 * first);
 }
 
-/// Stores distances and points of the lanes of some bits in the rows of a list.
+/// Stores distances, points and normals of the lanes of some bits in the rows of a list.
 PW85_INLINE void scatter_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> const &r12,
                                    unsigned bits, std::uint16_t const *indices,
                                    kernels::DistanceArrays const &out) noexcept
@@ -76,6 +77,7 @@ PW85_INLINE void scatter_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> c
             if (out.point1 != nullptr) kernels::row_of(out.point1, 3, row)[k] = d.point1[k][i];
             if (out.point2 != nullptr)
                 kernels::row_of(out.point2, 3, row)[k] = r12[k][i] - d.point2[k][i];
+            if (out.normal != nullptr) kernels::row_of(out.normal, 3, row)[k] = d.normal[k][i];
         }
     });
 }
@@ -133,8 +135,8 @@ namespace pw85::detail::kernels {
 static inline int scalar_fallback(Target const &target, PairRow<3> const &pair,
                                   DistanceArrays const &out) noexcept
 {
-    return PW85_OF_PAIR(target, distance)(pair.r12, pair.q1, pair.q2, out.distance, out.point1,
-                                          out.point2);
+    return PW85_OF_PAIR(target, distance_geometry)(pair.r12, pair.q1, pair.q2, out.distance,
+                                                   out.point1, out.point2, out.normal);
 }
 
 static inline int refuse_pair(Target const &, PairRow<3> const &pair,

@@ -14,7 +14,7 @@
 
 namespace pw85::detail::kernels {
 
-/// Signed distances, and closest or deepest points. Any pointer may be null.
+/// Signed distances, closest or deepest points, and normals. Any pointer may be null.
 struct SignedDistanceArrays {
     static constexpr std::size_t rows_of_block = DepthArrays::rows_of_block;
     DistanceArrays arrays;
@@ -87,9 +87,9 @@ namespace pw85::detail::kernels {
 static inline int scalar_fallback(Target const &target, PairRow<3> const &pair,
                                   SignedDistanceArrays const &out) noexcept
 {
-    auto const &[distance, point1, point2] = out.arrays;
-    return PW85_OF_PAIR(target, signed_distance)(pair.r12, pair.q1, pair.q2, distance, point1,
-                                                 point2);
+    auto const &[distance, point1, point2, normal] = out.arrays;
+    return PW85_OF_PAIR(target, signed_distance_geometry)(pair.r12, pair.q1, pair.q2, distance,
+                                                          point1, point2, normal);
 }
 
 static inline int refuse_pair(Target const &, PairRow<3> const &pair,

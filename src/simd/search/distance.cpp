@@ -13,12 +13,18 @@ using namespace c_api;
 
 namespace PW85_BUILDING {
 
-int distance(double const *r12, double const *q1, double const *q2, double *distance,
-             double *point1, double *point2) noexcept
+int distance_geometry(double const *r12, double const *q1, double const *q2, double *distance,
+                      double *point1, double *point2, double *normal) noexcept
 {
     auto const result = pw85::distance(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
     return put(result.status, result.distance, distance, result.point1, point1, result.point2,
-               point2);
+               point2, result.normal, normal);
+}
+
+int distance(double const *r12, double const *q1, double const *q2, double *distance,
+             double *point1, double *point2) noexcept
+{
+    return distance_geometry(r12, q1, q2, distance, point1, point2, nullptr);
 }
 
 int distance_derivatives(double const *r12, double const *q1, double const *q2, double *d_r12,

@@ -53,16 +53,22 @@ int penetration(double const *r12, double const *q1, double const *q2, double *d
     return put(found.status, found.depth, depth, found.direction, direction);
 }
 
-int signed_distance(double const *r12, double const *q1, double const *q2, double *length,
-                    double *point1, double *point2) noexcept
+int signed_distance_geometry(double const *r12, double const *q1, double const *q2, double *length,
+                             double *point1, double *point2, double *normal) noexcept
 {
     auto const &r = view_vector<3>(r12);
     auto const &m1 = view_matrix<3>(q1), &m2 = view_matrix<3>(q2);
     auto const found = find_depth(r, m1, m2);
-    if (found.apart) return distance(r12, q1, q2, length, point1, point2);
+    if (found.apart) return distance_geometry(r12, q1, q2, length, point1, point2, normal);
     auto const result = signed_distance_overlapping(r, m1, m2, found.result);
-    return put(result.status, result.distance, length, result.point1, point1, result.point2,
-               point2);
+    return put(result.status, result.distance, length, result.point1, point1, result.point2, point2,
+               result.normal, normal);
+}
+
+int signed_distance(double const *r12, double const *q1, double const *q2, double *length,
+                    double *point1, double *point2) noexcept
+{
+    return signed_distance_geometry(r12, q1, q2, length, point1, point2, nullptr);
 }
 
 int signed_distance_derivatives(double const *r12, double const *q1, double const *q2,
