@@ -627,7 +627,7 @@ def signed_distance_geometry():
     --------
     >>> import pypw85
     >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
-    >>> distance, point1, point2, normal = pypw85.signed_distance_geometry([0, 1.5, 0], q, q)
+    >>> distance, *_, normal = pypw85.signed_distance_geometry([0, 1.5, 0], q, q)
     >>> print(distance, normal)
     -0.5 [0. 1. 0.]
     """
