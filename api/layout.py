@@ -9,10 +9,16 @@ from refusals import line_of, refuse
 WIDTH = 100  # of C, C++, Fortran and Rust
 
 
+# Markdown takes a line that begins with such a sign and a blank for an item of a list.
+SIGN = re.compile(r"(?<=\S) (?=[-+*] )")
+
+
 def wrapped(text, width=WIDTH, first="", rest=None):
-    """The lines of a text. The first begins with `first`, the others with `rest`, or with `first`, too. No word is broken."""
-    return textwrap.wrap(text, width, initial_indent=first, subsequent_indent=first if rest is None else rest,
-                         break_long_words=False, break_on_hyphens=False)  # fmt: skip
+    """The lines of a text. The first begins with `first`, the others with `rest`, or with `first`, too. No word is broken, and no line is
+    broken before +, - or *."""
+    lines = textwrap.wrap(SIGN.sub("\1", text), width, initial_indent=first, subsequent_indent=first if rest is None else rest,
+                          break_long_words=False, break_on_hyphens=False)  # fmt: skip
+    return [line.replace("\1", " ") for line in lines]
 
 
 def filled(text, width=WIDTH, first="", rest=None):

@@ -165,9 +165,9 @@ export interface Pw85 extends Memory {
     /**
      * Computes the distance of the surfaces of two ellipsoids, and the points where they are closest.
      * The distance is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α and β of the
-     * ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α)
-     * + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α and β at the closest points. Rounding the data
-     * entry by entry can change the distance by u Σ.
+     * ellipsoids along n. Its error is below 8 u Σ, with u = 2⁻⁵³. Here Σ = Σ|n_i r12_i| + Σ|n_i q1_ij
+     * n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β), summed over all i and j, with n, α and β at the closest points. Rounding
+     * the data entry by entry can change the distance by u Σ.
      * A program can verify the result by a lower and an upper bound. For any unit vector n, n·r12 - α - β is a
      * lower bound of the distance; `distance` is this bound for the normal of `pw85_distance_derivatives()` of
      * the C API. The distance between any point of ellipsoid 1 and any point of ellipsoid 2 is an upper bound,

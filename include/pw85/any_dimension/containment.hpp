@@ -57,10 +57,11 @@ PW85_FUNCTION inline bool shows_outside(Pair<T> const &pair, T const *direction)
 /// Let w be the error of an operation, 4u. As K has a positive diagonal if its pivots are positive,
 /// the magnitudes of the terms Q2/ν + r rᵀ/(1 - ν) of entry (i, j) add up to at most √(Q1_ii
 /// Q1_jj). An entry errs by less than 12 w √(Q1_ii Q1_jj) from 5 operations on the terms and two on
-/// the entry, and a matrix of such errors by 12 n w = 48 n u of diag(Q1). The error of
-/// factorisation is n (n + 4) u times the diagonal of K, which is smaller. `share` times diag(Q1)
-/// exceeds the sum of both errors. Numbers that underflow have an error of 2⁻¹⁰⁷⁴, which is far
-/// below `share` times the diagonal of Q1, because this diagonal is at least 2⁻⁸⁰⁰.
+/// the entry, and a matrix of such errors by 12 n w = 48 n u of diag(Q1). The factorisation errs by
+/// at most n (n + 8) u of the diagonal of K (factorization_error()), which is below that of Q1.
+/// `share` times diag(Q1) exceeds the sum of both errors. Numbers that underflow have an error of
+/// 2⁻¹⁰⁷⁴, which is far below `share` times the diagonal of Q1, because this diagonal is at least
+/// 2⁻⁸⁰⁰.
 template <class T>
 PW85_FUNCTION inline bool shows_inside(Pair<T> const &pair, T const &nu, T *memory) noexcept
 {

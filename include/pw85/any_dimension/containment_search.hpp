@@ -114,7 +114,7 @@ PW85_FUNCTION inline T residual_form(Pair<T> const &pair, T const &t, Evaluation
 
 /// Evaluates at ν, and returns the ν that Newton's method suggests (take_dual_step() of
 /// overlap/containment_bounds.hpp). M must be positive definite in spite of rounding: its factors
-/// err by n (n + 4) u of its diagonal.
+/// err by at most n (n + 8) u of its diagonal (factorization_error()).
 template <class T>
 [[gnu::noinline]] PW85_FUNCTION inline T evaluate_dual(Pair<T> const &pair,
                                                        DualBoundSearch<T> &search, T const &nu,

@@ -11,8 +11,8 @@
 namespace pw85::detail::any_dimension {
 
 /// The shift with which is_definite_with_shift() proves that a form is positive definite: four
-/// times the backward error of factorisation, n (n + 4) u. The factor covers the rounding of 1 -
-/// shift and, for Doubled, the larger errors of products and quotients (operation_error()).
+/// times n (n + 4) u. The errors of factorisation are at most n (n + 8) u (factorization_error()),
+/// and the rounding of a - shift a adds u. The sum n (n + 8) + 1 is less than 4 n (n + 4).
 template <class T> PW85_FUNCTION inline T least_shift(int n) noexcept
 {
     return T(4 * factorization_error(n)) * T(unit_roundoff<T>());

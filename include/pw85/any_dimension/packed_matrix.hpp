@@ -136,11 +136,15 @@ template <class T> PW85_FUNCTION inline T determinant(int n, T const *factors) n
 /// J. Higham, Accuracy and Stability of Numerical Algorithms, theorem 10.5, with two more roundings
 /// by the reciprocal of the pivot; |L| D |Lᵀ| has such entries by Cauchy and Schwarz. A matrix
 /// whose entries have these bounds has the norm n times that of an entry.
+///
+/// For Doubled numbers the bound is n (n + 8) u, to first order in u. Their u is 4 · 2⁻¹⁰⁶. Sums
+/// err by u times their terms, products by 2u and quotients by 4u (doubled.hpp). So a product adds
+/// 2u instead of u, and the multiplier, a product with a reciprocal, 6u instead of 2u: 5u more.
 PW85_FUNCTION constexpr int factorization_error(int n) noexcept { return n * (n + 4); }
 
-/// Returns whether A - shift diag(A) has positive pivots. Then xᵀAx >= (shift - n (n + 4) u) Σ a_ii
-/// x_i² for every x, so that A is positive definite if the shift is larger than that. `memory` is
-/// for one matrix, and may be A itself.
+/// Returns whether A - shift diag(A) has positive pivots. Then xᵀAx >= (shift - e) Σ a_ii x_i² for
+/// every x, where e is the bound of factorization_error() and u for the rounding of the diagonal. A
+/// is positive definite if the shift is larger than e. `memory` is for one matrix, and may be A.
 template <class T, class N> PW85_FUNCTION inline bool
 is_definite_with_shift(N n, T const *a, T const &shift, T *memory) noexcept
 {

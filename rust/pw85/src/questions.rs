@@ -5733,9 +5733,10 @@ pub fn first_contact_batch(
 /// t_max. μ² is a convex function of t, so the minimum is unique unless the velocity is zero. The
 /// ellipsoids overlap somewhere on this path if and only if the exact minimum is below 1.
 ///
-/// The error of μ² is below 8 u S, with u = 2⁻⁵³. Here S = μ² cond + 2 λ(1-λ) Σ\|n_i\| (\|r12_i\|
-/// + t \|velocity_i\|), with cond, λ and n of [`condition()`](crate::condition) for the pair at
-/// time t. Relative errors ε of the given numbers change μ² by at most ε S, to first order.
+/// The error of μ² is below 8 u S, with u = 2⁻⁵³. Here S = μ² cond + 2 λ(1-λ) Σ\|n_i\|
+/// (\|r12_i\| + t \|velocity_i\|), with cond, λ and n of [`condition()`](crate::condition) for
+/// the pair at time t. Relative errors ε of the given numbers change μ² by at most ε S, to first
+/// order.
 ///
 /// # Arguments
 ///
