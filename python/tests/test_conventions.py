@@ -155,6 +155,7 @@ REFUSED = {
     "x,y,z,radius,theta_deg": "theta_deg may be the angle of ellipses",
     "x,y,z,a,b,qw,qx,qy,qz": "a b are two lengths, those of ellipses, and three dimensions need three",
     "x,y,z,a,b,c,qw,qx,qy,qz,tilt": "the column tilt could change the shapes or how they are turned, and is not used",
+    "x,y,a,b,angle_deg,inc": "the column inc could change the shapes or how they are turned, and is not used",
     "x,y,z,radius,blockiness": "the column blockiness could change the shapes",
     "x_um,y_um,z_slice,radius_um": "there are two coordinates, x_um y_um, and z_slice: rename it to z",
     "x,y,a,b,angle_deg,depth": "there are two coordinates, x y, and depth",

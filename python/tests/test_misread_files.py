@@ -701,6 +701,15 @@ def test_directions_in_turned_boxes(tmp_path):
             read_text(tmp_path / "a.dump", text.format("0 9 0 0\n-9 0 0 0\n"), **options)
 
 
+def test_two_quaternions(tmp_path):
+    """Those of a compute beside those of the atoms may be the ones that belong to the shapes."""
+    text = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS id type x y z "
+    text += "shapex shapey shapez quatw quati quatj quatk c_q[1] c_q[2] c_q[3] c_q[4]\n1 1 0 0 0 1 1 2 1 0 0 0 0 1 0 0\n"
+    with pytest.raises(pypw85.FileError, match=r"the columns c_q\[1\] c_q\[2\] c_q\[3\] c_q\[4\] could change the shapes or how they are"):
+        read_text(tmp_path / "a.dump", text)
+    assert read(tmp_path / "a.dump", ignore_columns=[f"c_q[{k}]" for k in (1, 2, 3, 4)]).quaternions.tolist() == [[1, 0, 0, 0]]
+
+
 @pytest.mark.parametrize("other", ["(nm)", "_nm", "(µm)"])
 def test_units_in_latin_1(other, tmp_path):
     """µm is a unit there, too."""

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ._columns import matches, plain_name
+from ._column_names import matches, plain_name
 from ._conventions import Convention
 from ._errors import for_option
 from ._frames import Options

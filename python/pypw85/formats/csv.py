@@ -23,7 +23,9 @@ from .._system import System
 from .._typing import Floats
 from . import _comments
 from ._boxes import SAYS_CELL
-from ._columns import UNIT_AT_END, Taken, centers_of, convention_of, fill, meaning_of, offsets_of, plain_name, take
+from ._column_names import UNIT_AT_END, plain_name
+from ._column_values import fill
+from ._columns import Taken, centers_of, convention_of, meaning_of, offsets_of, take
 from ._conventions import CONVENTIONS, Convention, named, possible, recognised
 from ._errors import FileError, for_option
 from ._frames import Frame, Location, Options, said_dimensions

@@ -23,7 +23,7 @@ from .._forms import principal_axes
 from .._system import System, quaternions_of
 from .._typing import Floats
 from .._words import counted
-from ._columns import could_change
+from ._column_names import could_change
 from ._comments import Meaning, check
 from ._errors import FileError, for_option, guarded
 from ._files import check_input, checksum

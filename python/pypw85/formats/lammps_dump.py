@@ -13,7 +13,9 @@ import numpy as np
 from .._system import System
 from .._typing import Floats
 from ._boxes import bounds, check_bounds, numbered_types
-from ._columns import UNIT_AT_END, Taken, fill, take
+from ._column_names import UNIT_AT_END
+from ._column_values import fill
+from ._columns import Taken, take
 from ._errors import for_option
 from ._frames import Frame, Location, Options, lost_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names

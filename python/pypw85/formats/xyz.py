@@ -19,7 +19,9 @@ from .._system import System
 from .._words import counted
 from . import _comments
 from ._boxes import SAYS_CELL
-from ._columns import Taken, could_change, fill, meaning_of, take
+from ._column_names import could_change
+from ._column_values import fill
+from ._columns import Taken, meaning_of, take
 from ._errors import for_option
 from ._frames import Frame, Location, Options, said_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names, type_names
