@@ -23,7 +23,7 @@ from declarations import c_functions, functions
 from layout import WIDTH, arguments, renewed, wrapped
 from public_headers import INCLUDE, ONE_ROW, SOURCE, text_of
 from refusals import line_of, refuse
-from rows import TRUTHS, name_of_many
+from rows import name_of_many
 from shims import FILES, FOLDER, HEAD, SOURCES, questions
 
 HEADER, TEXTS = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.txt"
@@ -104,7 +104,7 @@ class Statement:
 
     def made(self, one, name):
         """The parameter of many rows that stands for one of one row: its declaration, and tag, name, attributes and text of its comment."""
-        is_truth = one.is_output() and one.type == "int" and one.name in TRUTHS
+        is_truth = one.is_output() and one.is_truth()
         is_optional = one.is_output() and (one.nullable or len(one.members()) > 1)
         extents = "×".join(["n", *(map(str, one.shape) if len(names_of(one)) == 1 else ())])
         limits = [limit.attribute for limit in one.attributes.limits]

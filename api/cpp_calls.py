@@ -15,7 +15,6 @@ from layout import arguments, wrapped
 from refusals import refuse
 
 NAMES = {"system": "particles"}  # of parameters in C++
-FLAGS = ("contains", "is_free", "overlap", "take")  # integers of C that are truth values
 EXTENTS = {"num_pairs": "list.pairs", "num_particles": "particles.centers"}  # of members of structs
 VALUES = {"NaN": "detail::quiet_nan<double>()", "num_particles": "particles.centers.size()"}
 TEXTS = {
@@ -37,7 +36,7 @@ class Call:
     member of the result."""
 
     def __init__(self, function, types, is_member=False, result=None, out=None):
-        flags = {one.name: "bool" for one in function.parameters if one.type == "int" and one.name in FLAGS}
+        flags = {one.name: "bool" for one in function.parameters if one.is_integer() and one.is_truth()}
         self.function, self.types, self.is_member, self.result, self.out = function, flags | types, is_member, result, out
         self.declared, self.first, self.marked, self.checked, self.before, self.after = [], [], [], [], [], []
         self.sizes, own = {}, function.parameter_names()

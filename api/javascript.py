@@ -65,7 +65,7 @@ def entry(row):
     assert row.takes_rows() or not row.is_split(), row.name
     inputs = [{"name": camel(one.name), "cName": one.name, "size": one.size, "isNumber": not one.shape} for one in row.inputs]
     outputs = [
-        {"name": camel(one.name or row.name), "size": one.size, "type": type_of(row, one), "isTruth": one.is_truth(),
+        {"name": camel(one.name), "size": one.size, "type": type_of(row, one), "isTruth": one.is_truth(),
          "shape": bool(one.shape)}
         for one in row.outputs
     ]  # fmt: skip
@@ -100,7 +100,7 @@ def comment(lines):
 
 def names_and(row, kind):
     """The names of the outputs, each with what `kind` says of it."""
-    return {camel(one.name or row.name): kind(one) for one in row.outputs}
+    return {camel(one.name): kind(one) for one in row.outputs}
 
 
 def one_or_object(types, mark=":"):

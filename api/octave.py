@@ -49,7 +49,7 @@ def inputs(question):
 
 
 def outputs(question):
-    return [one.name or question.name for one in question.first.outputs]
+    return [one.name for one in question.first.outputs]
 
 
 def result(question):
@@ -86,7 +86,7 @@ def operands(question, attribute):
     for text, group in voice(question).grouped(listed[0]):
         known, each = sizes[group[0].name], " each" if len(group) > 1 else ""
         columns = f"{' or '.join(map(str, known))} column{'s' if max(known) > 1 else ''}{each}"
-        yield ", ".join(one.name or question.name for one in group), group[0], text, columns
+        yield ", ".join(one.name for one in group), group[0], text, columns
 
 
 def described_items(question):

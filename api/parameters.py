@@ -18,6 +18,7 @@ from refusals import line_of, refuse
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments
 OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids", "pw85_random_addition")  # what the library owns
 CALLBACKS = ("pw85_potential",)  # types of functions of the caller
+TRUTHS = ("overlap", "contains", "is_free", "take")  # names of integers that are truth values; others are signs and indices
 ELEMENTS = ("pw85_motion", "pw85_wall", "pw85_field")  # structs that are elements of arrays
 NUMBERS = ("double", "int", "size_t", "int32_t", "int64_t", "unsigned char", "char", "void")
 TYPES = (*NUMBERS, *STRUCTS, *ELEMENTS, *OBJECTS, *CALLBACKS)
@@ -78,6 +79,16 @@ class Parameter:
 
     def is_output(self):
         return self.pointer and not self.const and not self.is_handle()
+
+    def is_motion(self):
+        return self.type == "pw85_motion"
+
+    def is_integer(self):
+        return self.type == "int"
+
+    def is_truth(self):
+        """Whether it is an integer, or a byte in many rows, that is a truth value."""
+        return self.type in ("int", "unsigned char") and self.name in TRUTHS
 
     def is_returned(self):
         """Whether the function gives one row of numbers or a new object by it."""

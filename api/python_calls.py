@@ -52,7 +52,7 @@ def body_of_row(row):
     stored = "".join(f"number(status, integer{k}, out[{k}]); " for k in integers)
     if row.is_split():
         first, outputs, stored = "row[0]", ["row"], "split(row, out); "
-        declared = f"double row[{row.outputs[0].parameter.size}]; "
+        declared = f"double row[{len(row.outputs)}]; "
     if row.function.type == "int":
         return f"{declared}int const status = {call_of_row(row, outputs)}; {stored}return status;"
     call = call_of_row(row, outputs) if row.function.outputs else f"{first} = {call_of_row(row, [])}"

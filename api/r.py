@@ -50,7 +50,7 @@ def columns(question, dimension):
         numbers = " ".join(map(str, range(1, one.size + 1)))
         entries = ENTRIES.get((dimension, one.size), numbers) if len(one.shape) == 1 else numbers
         prefix = "" if len(row.outputs) == 1 else f"{one.name}_"
-        found += [f"{prefix}{entry}" for entry in entries.split()] if one.shape else [one.name or row.name]
+        found += [f"{prefix}{entry}" for entry in entries.split()] if one.shape else [one.name]
     return found
 
 

@@ -13,7 +13,7 @@ from layout import in_one_line_or_each as listing
 from layout import wrapped
 from public_headers import ONE_ROW, SOURCE, statuses, version
 from refusals import entry_of, refuse
-from rows import TRUTHS, row_function, row_functions, rows_by_hand
+from rows import row_function, row_functions, rows_by_hand
 from shims import template_of
 from voice import PlainVoice, sentence
 
@@ -68,9 +68,7 @@ def argument_type(one):
 
 
 def result_type(one):
-    if one.parameter.type == "int":
-        return "bool" if one.name in TRUTHS else "Ordering"
-    return array(one.shape)
+    return "bool" if one.is_truth() else "Ordering" if one.type == "int" else array(one.shape)
 
 
 @cache

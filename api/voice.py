@@ -71,20 +71,15 @@ class Voice:
             text = re.sub(rf"\b{name}(?![a-z0-9_])", own, text) if "_" in name else text
         return text
 
-    def described(self, name):
+    def described(self, one):
         """What is said of a parameter in the words of Python, with its limits."""
-        one, is_inherited = self.row.function.described(name), bool(self.row.function.descriptions[name].attributes.like)
         text = "; ".join(filter(None, [OF_C.sub("", one.text.rstrip(".")), *limits_of(one)]))
-        return sentence(self.said(text, is_inherited))
+        return sentence(self.said(text, is_inherited=bool(one.attributes.like)))
 
     def grouped(self, operands):
         """Neighbours of the same shape and unit of which the same is said, with the text."""
-
-        def said(one):
-            parameter = getattr(one, "parameter", one)
-            return (one.shape, parameter.attributes.unit, self.described(parameter.name)) if parameter else ((), "", "")
-
-        return [(text, list(group)) for (*_, text), group in groupby(operands, said)]
+        groups = groupby(operands, lambda one: (one.shape, one.attributes.unit, self.described(one)))
+        return [(text, list(group)) for (*_, text), group in groups]
 
     def paragraphs(self):
         text = re.split(r"@(?:param|return)", self.row.function.comment)[0]
@@ -106,7 +101,7 @@ class Voice:
         function = self.row.function
         if function.type != "int":
             return "For a single value: invalid input. In arrays, invalid rows become NaN." if function.is_nan_on_error() else ""
-        inputs = [one.parameter for one in self.row.inputs]
+        inputs = self.row.inputs
         infinite = [f"`{one.name}` may be infinite" for one in inputs if not INFINITY.is_named(one)]
         wrong = [f"a number is not finite{f' ({infinite[0]})' if infinite else ''}"]
         for cause in CAUSES:
