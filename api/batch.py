@@ -21,12 +21,12 @@ from itertools import groupby
 
 from declarations import c_functions, functions
 from layout import WIDTH, arguments, renewed, wrapped
-from public_headers import INCLUDE, ONE_ROW, SOURCE, text_of
+from public_headers import ONE_ROW, source_text
 from refusals import line_of, refuse
 from rows import name_of_many
 from shims import FILES, FOLDER, HEAD, SOURCES, questions
 
-HEADER, TEXTS = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.txt"
+HEADER, TEXTS = "pw85_batch.h", "pw85_batch.txt"
 WITHOUT = ("pw85_ellipsoid", "pw85_contains_2d", "pw85_containment_2d")
 SAID = re.compile(r"^(?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<parameters>(?:    .*\n)*)", re.MULTILINE)
 PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions", "start": "starts"}  # of inputs
@@ -92,7 +92,7 @@ class Statement:
         self.said, names = {}, [name for one in function.parameters for name in names_of(one)]
         for line in said["parameters"].splitlines():
             name, _, text = line.strip().partition(": ")
-            place = line_of(TEXTS.name, said.string, said.string.index(line, said.start()))
+            place = line_of(TEXTS, said.string, said.string.index(line, said.start()))
             is_wrong = name not in names or name in self.said or not text.startswith("[")
             refuse(place, {f"{self.name}() has no parameter {name}, or it is described twice, or without brackets": is_wrong})
             self.said[name] = text
@@ -133,20 +133,20 @@ class Statement:
 
 def statements():
     """Those of all functions, in the order of the headers."""
-    text, found, end = TEXTS.read_text(encoding="utf-8"), {}, 0
+    text, found, end = source_text(f"api/{TEXTS}"), {}, 0
     known = {one.name: one for one in functions(*ONE_ROW) if has_rows(one) and one.name not in WITHOUT}
     for said in SAID.finditer(text):
         is_wrong = said["name"] not in known or said["name"] in found
-        refuse(line_of(TEXTS.name, text, end), {"not understood": said.start() != end,
+        refuse(line_of(TEXTS, text, end), {"not understood": said.start() != end,
                f"no function {said['name']}() of one row, or it is named twice": is_wrong})  # fmt: skip
         found[said["name"]], end = said, said.end()
-    refuse(line_of(TEXTS.name, text, end), {"not understood": end != len(text)})
+    refuse(line_of(TEXTS, text, end), {"not understood": end != len(text)})
     return [Statement(one, found.get(name)) for name, one in known.items()]
 
 
 def header():
     """The text of the header."""
-    return renewed(HEADER.name, text_of(HEADER.name), {"rows": lambda *_: "\n".join(one.declaration() for one in statements())})
+    return renewed(HEADER, {"rows": lambda *_: "\n".join(one.declaration() for one in statements())})
 
 
 def row_argument(one, many):
@@ -192,10 +192,10 @@ def many_rows_file(title, listed):
 
 
 def files():
-    """The texts of the files of src/c_api/ by their paths."""
+    """The texts of the files by their names."""
     listed = {}
     for statement in statements():
         question = questions()[statement.function.name]
         name = f"{question}_{'lanes' if statement.function.plain in LANES else 'rows'}"
         listed.setdefault(name, (FILES[question], []))[1].append(statement)
-    return {FOLDER / f"{name}.cpp": many_rows_file(*own) for name, own in listed.items()}
+    return {f"{FOLDER}/{name}.cpp": many_rows_file(*own) for name, own in listed.items()}

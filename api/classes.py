@@ -17,7 +17,7 @@ from cpp import by_hand, is_member, is_of_list, is_of_rows, name_in_cpp, structs
 from cpp_calls import Call
 from declarations import c_functions, functions, sections
 from layout import arguments, renewed
-from public_headers import CPP_HEADERS, INCLUDE, SYSTEMS
+from public_headers import CPP_HEADERS, SYSTEMS, text_of
 from refusals import Refused, refuse
 
 # The names of members that are not those of C, and functions whose call with null is a member that is written by hand.
@@ -53,7 +53,7 @@ def called(text):
 
 
 def called_by_hand():
-    return {name for header in CPP_HEADERS for name in called(by_hand(INCLUDE / header))} - {*OVERLOADED}
+    return {name for header in CPP_HEADERS for name in called(by_hand(header))} - {*OVERLOADED}
 
 
 def call_of(function):
@@ -108,11 +108,10 @@ MAKERS = {"rows": rows_of, "pairs": pairs_of, "functions": functions_of, "member
 
 
 def files():
-    """The texts of the headers that have made parts by their paths. Each function on systems and objects is in one of them."""
+    """The headers that have made parts. Each function on systems and objects is in one of them."""
     refuse("api/classes.py", {f"no function {name}()": name not in c_functions() for name in (*NAMES, *OVERLOADED, *TYPES, *RESULTS)})
-    texts = {INCLUDE / name: (INCLUDE / name).read_text(encoding="utf-8") for name in CPP_HEADERS}
-    made = {path: renewed(path.name, text, MAKERS) for path, text in texts.items() if "api/committed.py:" in text}
-    known = {name for text in (*made.values(), *map(by_hand, texts)) for name in called(text)}
+    made = {f"include/{name}": renewed(name, MAKERS) for name in CPP_HEADERS if "api/committed.py:" in text_of(name)}
+    known = {name for text in (*made.values(), *map(by_hand, CPP_HEADERS)) for name in called(text)}
     for one in functions(*SYSTEMS):
         if one.name not in known:
             raise Refused(f"{one.place}: in no made part of a header of C++")

@@ -7,11 +7,10 @@ from math import prod
 
 from declarations import CPP, c_functions
 from layout import PART
-from public_headers import CPP_HEADERS, DETAIL, INCLUDE, SYSTEMS, statuses
+from public_headers import CPP_HEADERS, DETAIL, SYSTEMS, headers_in_folders, statuses, text_of
 from refusals import refuse
 from voice import limits_of
 
-FOLDER = INCLUDE / "pw85"
 MANY = ("batch", "systems", "simulation", "history", "api")  # folders whose functions are not those of one row
 CLASSES = {"pw85_neighbors": "Neighbors", "pw85_mesh": "Mesh", "pw85_hard_ellipsoids": "HardEllipsoids",
            "pw85_random_addition": "RandomAddition"}  # fmt: skip
@@ -62,15 +61,15 @@ def is_member(function):
 
 
 @cache
-def by_hand(path):
+def by_hand(header):
     """The text of a header without what is made."""
-    return PART.sub("", path.read_text(encoding="utf-8"))
+    return PART.sub("", text_of(header))
 
 
 @cache
 def names_in_cpp():
     """The functions of C that C++ has, too, and their names there."""
-    known = {match["name"] for name in CPP_HEADERS for match in CPP.finditer(by_hand(INCLUDE / name))}
+    known = {match["name"] for name in CPP_HEADERS for match in CPP.finditer(by_hand(name))}
 
     def is_in_cpp(one):
         is_of_systems = one.header in SYSTEMS and one.type == "int" and not is_member(one)
@@ -81,15 +80,15 @@ def names_in_cpp():
 
 @cache
 def texts():
-    """The headers in folders, without comments, details and what is made, by their paths."""
-    return {path: re.sub(r"//.*", "", DETAIL.sub("", by_hand(path))) for path in sorted(FOLDER.glob("*/*.hpp"))}
+    """The headers in folders, without comments, details and what is made, by their names."""
+    return {header: re.sub(r"//.*", "", DETAIL.sub("", by_hand(header))) for header in headers_in_folders()}
 
 
 @cache
 def homes(name):
     """The headers that define a function of namespace pw85 for one row."""
     form = re.compile(rf"\b{name}\([^;{{}}]*\)\s*noexcept\s*\{{")
-    return [path.relative_to(INCLUDE) for path, text in texts().items() if path.parent.name not in MANY and form.search(text)]
+    return [header for header, text in texts().items() if header.split("/")[1] not in MANY and form.search(text)]
 
 
 @cache

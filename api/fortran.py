@@ -14,11 +14,10 @@ from causes import PACKED
 from declarations import functions
 from layout import WIDTH, insert, wrapped
 from parameters import CALLBACKS, STRUCTS
-from public_headers import HOST_HEADERS, SOURCE, constants, version
+from public_headers import HOST_HEADERS, SOURCE, constants, source_text, version
 from refusals import entry_of
 
-FORTRAN = SOURCE / "fortran"
-MODULE, TEMPLATE = FORTRAN / "pw85.f90", FORTRAN / "pw85.in.f90"
+MODULE, TEMPLATE = "fortran/pw85.f90", "fortran/pw85.in.f90"
 
 INTEGERS = {"int": "c_int", "size_t": "c_size_t", "int32_t": "c_int32_t", "int64_t": "c_int64_t", "unsigned char": "c_int8_t"}
 TYPES = {"double": "real(c_double)"} | {name: f"integer({kind})" for name, kind in INTEGERS.items()}
@@ -89,8 +88,7 @@ def constant(name, value):
 
 
 def files():
-    """The text of the module by its path."""
-    template = TEMPLATE.read_text(encoding="utf-8")
+    template = source_text(TEMPLATE)
     numbers = dict(zip(("major", "minor", "patch"), version().split(".")))
     values = {f"PW85_VERSION_{part.upper()}": number for part, number in numbers.items()} | constants()
     made = {
@@ -98,7 +96,7 @@ def files():
         "names": [f"  public :: {function.name.lower()}" for function in functions(*HOST_HEADERS)],
         "interfaces": [line for header in HOST_HEADERS for line in [*interfaces(header, template), ""]][:-1],
     }
-    return {MODULE: insert(TEMPLATE, "  !@", made)}
+    return {MODULE: insert(SOURCE / TEMPLATE, "  !@", made)}
 
 
 PROCEDURE = re.compile(
@@ -115,7 +113,7 @@ Procedure = namedtuple("Procedure", "name kind arguments comment declarations")
 def procedures():
     """The procedures of the module by their names, in the order of the module."""
     found = {}
-    for match in PROCEDURE.finditer(re.sub(r" *&\n *", " ", MODULE.read_text(encoding="utf-8"))):
+    for match in PROCEDURE.finditer(re.sub(r" *&\n *", " ", source_text(MODULE))):
         arguments = [name.strip() for name in match["arguments"].split(",")]
         lines = [line.strip() for line in match["declared"].splitlines() if "::" in line]
         declared = [line for line in lines if set(re.findall(r"\w+", line.split("::")[1])) & set(arguments)]

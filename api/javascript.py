@@ -10,12 +10,11 @@ import re
 from functools import cache
 
 from layout import insert, wrapped
-from public_headers import SOURCE, version
+from public_headers import SOURCE, with_version
 from refusals import run
 from rows import row_functions
 from voice import PlainVoice, with_named_statuses
 
-FOLDER = SOURCE / "js"
 # The questions of each module, by their names in C. A page loads at most 300 kB for ellipsoids, and as much for ellipses.
 ASKED = {
     "pw85": ("ellipsoid", "ellipsoid_quaternion", "contact", "contact_geometry", "overlap", "distance", "overlap_volume", "first_contact"),
@@ -140,14 +139,11 @@ def declaration(row):
 def types():
     made = {module: [line for row in asked_of(module) for line in [*declaration(row), ""]][:-1] for module in ASKED}
     made["mark"] = [f"// {MARK}"]
-    return insert(FOLDER / "pw85.in.d.ts", "//@", made)
+    return insert(SOURCE / "js/pw85.in.d.ts", "//@", made)
 
 
 def files():
-    """The texts of all made files by their paths."""
-    package = (FOLDER / "package.in.json").read_text(encoding="utf-8").replace("@version@", version())
-    made = {"questions.js": table(), "pw85.d.ts": types(), "package.json": package}
-    return {FOLDER / path: text for path, text in made.items()}
+    return {"js/questions.js": table(), "js/pw85.d.ts": types(), "js/package.json": with_version("js/package.in.json")}
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 import re
 import textwrap
 
+from public_headers import text_of
 from refusals import line_of, refuse
 
 WIDTH = 100  # of C, C++, Fortran and Rust
@@ -43,10 +44,10 @@ def in_one_line_or_each(begin, listed, end, indent="", width=WIDTH):
     return [line] if len(line) <= width else [indent + begin.rstrip(), *(f"{indent}    {one}," for one in listed), indent + end.lstrip()]
 
 
-def cpp_header(path, text):
+def cpp_header(name, text):
     """A made header of C++: a text, whose first lines are its comment, with what stands around the text of each."""
     comment, _, rest = text.partition("\n\n")
-    guard = "_".join(part.upper() for part in re.split(r"\W", "/".join(path.parts[-2:])))
+    guard = "_".join(part.upper() for part in re.split(r"\W", "/".join(name.split("/")[-2:])))
     guard = f"PW85_{guard.removeprefix('PW85_')}_INCLUDED"
     made = "//\n// Made from the headers by api/committed.py.\n// clang-format off"
     return f"{comment}\n{made}\n#ifndef {guard}\n#define {guard}\n\n{rest}\n#endif\n"
@@ -60,8 +61,9 @@ PART = re.compile(
 )
 
 
-def renewed(name, text, made):
+def renewed(header, made):
     """The text of a header with its made parts. Each is what the function of its word makes of the other words."""
+    text, name = text_of(header), header.rpartition("/")[2]
 
     def part(match):
         place = line_of(name, text, match.start("name"))

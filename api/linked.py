@@ -12,11 +12,10 @@ from cpp import by_hand, structs
 from cpp_calls import Call
 from declarations import c_functions, functions
 from layout import filled, renewed
-from public_headers import INCLUDE
 from refusals import refuse
 from shims import template_of
 
-HEADER, TEMPLATES = INCLUDE / "pw85/linked.hpp", "pw85/pw85.hpp"
+HEADER, TEMPLATES = "pw85/linked.hpp", "pw85/pw85.hpp"
 NOT_GIVEN_OUT = {"Overlap": ("tier",)}
 OTHERS = (
     "Calls with other numbers take the templates, and so do these functions with doubles, of which the C API leaves out a part of the "
@@ -83,6 +82,5 @@ def templates_of(place, said):
 
 
 def files():
-    """The text of the header by its path."""
-    text = HEADER.read_text(encoding="utf-8")
-    return {HEADER: renewed(HEADER.name, text, {"functions": functions_of, "templates": templates_of})}
+    makers = {"functions": functions_of, "templates": templates_of}
+    return {f"include/{HEADER}": renewed(HEADER, makers)}

@@ -10,7 +10,7 @@ references in the place of pointers to objects and structs that must not be null
 from declarations import functions
 from layout import arguments, cpp_header
 from parameters import OBJECTS
-from public_headers import SOURCE, SYSTEMS
+from public_headers import SYSTEMS
 from shims import FOLDER, HEAD, by_hand, described
 
 INCLUDES = '#include "../base/checked_call.hpp"\n#include "../base/objects.hpp"'
@@ -83,13 +83,12 @@ def shim(function):
 
 
 def files():
-    """The texts of the files by their paths."""
     hands = by_hand()
     listed = {header: [one for one in functions(header) if is_of_object(one) and one.name not in hands] for header in SYSTEMS}
-    workers, path = "\n".join(worker(function) for own in listed.values() for function in own), SOURCE / "src/base/objects.hpp"
+    workers, path = "\n".join(worker(function) for own in listed.values() for function in own), "src/base/objects.hpp"
     made = {path: cpp_header(path, HEADER.format(declarations=workers))}
     for header, own in listed.items():
         head = HEAD.format(what=f" of objects: the functions of {header}", sources=header, includes=INCLUDES,
                            namespaces="using namespace pw85::detail;")  # fmt: skip
-        made[FOLDER / f"objects_{header.removeprefix('pw85_').removesuffix('.h')}.cpp"] = head + "".join(map(shim, own))
+        made[f"{FOLDER}/objects_{header.removeprefix('pw85_').removesuffix('.h')}.cpp"] = head + "".join(map(shim, own))
     return made

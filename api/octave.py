@@ -11,11 +11,10 @@ import re
 
 from declarations import sections
 from layout import filled
-from public_headers import HOST_HEADERS, SOURCE, version
+from public_headers import HOST_HEADERS, source_text, version, with_version
 from questions import MOTION, c_source, questions
 from voice import with_named_statuses
 
-FOLDER = SOURCE / "octave"
 MARK = "made by api/octave.py from the headers of the C API"
 BY_HAND = {"pw85_from_matgeom": "Quadratic forms", "pw85_reproducible": "Version and errors", "pw85_version": "Version and errors",
            "pw85_enclosing_ellipsoid": "Enclosing ellipsoids", "pw85_enclosing_ellipsoid_of": "Enclosing ellipsoids"}  # fmt: skip
@@ -145,10 +144,9 @@ def index():
 
 
 def files():
-    """The texts of all made files by their paths."""
-    log, described = (path.read_text(encoding="utf-8") for path in (SOURCE / "CHANGELOG.md", FOLDER / "DESCRIPTION.in"))
+    log = source_text("CHANGELOG.md")
     released = re.search(rf"^## \[{re.escape(version())}\] - (\S+)$", log, re.MULTILINE)[1]  # the day, which pkg wants to know
-    described = described.replace("@version@", version()).replace("@date@", released)
-    made = {"DESCRIPTION": described, "INDEX": index(), "src/questions.c": c_source(MARK, "pw85_octave.h", is_endless)}
-    made |= {f"inst/{name}.m": page(name, one) for name, one in functions().items()}
-    return {FOLDER / path: text for path, text in made.items()}
+    described = with_version("octave/DESCRIPTION.in").replace("@date@", released)
+    table = c_source(MARK, "pw85_octave.h", is_endless)
+    made = {"octave/DESCRIPTION": described, "octave/INDEX": index(), "octave/src/questions.c": table}
+    return made | {f"octave/inst/{name}.m": page(name, one) for name, one in functions().items()}

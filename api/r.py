@@ -9,11 +9,10 @@ import re
 import unicodedata
 
 from layout import filled
-from public_headers import SOURCE, version
+from public_headers import with_version
 from questions import MOTION, c_source, questions
 from voice import with_named_statuses
 
-FOLDER = SOURCE / "r"
 NAMES = {"overlap": "overlaps"}  # the names in R that are others than those of C
 ENTRIES = {(2, 2): "x y", (2, 3): "xx xy yy", (3, 3): "x y z", (3, 6): "xx xy xz yy yz zz"}  # by the dimension and their number
 WHICH = {(2, 3): "ellipse or ellipsoid", (2,): "ellipse", (3,): "ellipsoid"}
@@ -132,8 +131,6 @@ def example_of(question):
 
 
 def files():
-    """The texts of all made files by their paths."""
-    made = {"DESCRIPTION": (FOLDER / "DESCRIPTION.in").read_text(encoding="utf-8").replace("@version@", version())}
-    made |= {"src/questions.c": c_source(MARK, "pw85_r.h", columns=names_of_columns), "R/questions.R": r_source()}
-    made |= {f"man/{name_of(one)}.Rd": page(one) for one in exported()}
-    return {FOLDER / path: text for path, text in made.items()}
+    table = c_source(MARK, "pw85_r.h", columns=names_of_columns)
+    made = {"r/DESCRIPTION": with_version("r/DESCRIPTION.in"), "r/src/questions.c": table, "r/R/questions.R": r_source()}
+    return made | {f"r/man/{name_of(one)}.Rd": page(one) for one in exported()}

@@ -11,13 +11,12 @@ from declarations import functions
 from examples import example_value
 from layout import in_one_line_or_each as listing
 from layout import wrapped
-from public_headers import ONE_ROW, SOURCE, statuses, version
+from public_headers import ONE_ROW, statuses, with_version
 from refusals import entry_of, refuse
 from rows import row_function, row_functions, rows_by_hand
 from shims import template_of
 from voice import PlainVoice, sentence
 
-FOLDER = SOURCE / "rust"
 MARK = "// SPDX-License-Identifier: BSD-3-Clause\n// Made by api/rust.py from the headers of the C API.\n"
 HEADERS = (*ONE_ROW, "pw85_batch.h")
 TYPES = {"double": "f64", "int": "c_int", "size_t": "usize", "unsigned char": "u8", "char": "c_char"}
@@ -230,10 +229,7 @@ def raw(function):
 
 
 def files():
-    """The texts of all made files by their paths."""
-    templates = {f"{crate}/Cargo.toml": FOLDER / crate / "Cargo.toml.in" for crate in ("pw85-sys", "pw85")}
-    made = {path: template.read_text(encoding="utf-8").replace("@version@", version()) for path, template in templates.items()}
+    made = {f"rust/{crate}/Cargo.toml": with_version(f"rust/{crate}/Cargo.toml.in") for crate in ("pw85-sys", "pw85")}
     named = [line for function in functions(*HEADERS, "pw85_enclosing.h") for line in raw(function)]
     head = f'{MARK}\nuse crate::{{c_char, c_int, pw85_motion}};\n\nextern "C" {{'
-    made |= {"pw85-sys/src/functions.rs": "\n".join([head, *named, "}", ""]), "pw85/src/questions.rs": questions()}
-    return {FOLDER / path: text for path, text in made.items()}
+    return made | {"rust/pw85-sys/src/functions.rs": "\n".join([head, *named, "}", ""]), "rust/pw85/src/questions.rs": questions()}
