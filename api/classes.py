@@ -12,13 +12,14 @@ A function that the text by hand calls is not made. The tables say what does not
 """
 
 import re
+from functools import partial
 
 from cpp import by_hand, is_member, is_of_list, is_of_rows, name_in_cpp, structs
 from cpp_calls import Call
 from declarations import c_functions, functions, sections
 from layout import arguments, renewed
 from public_headers import CPP_HEADERS, SYSTEMS, text_of
-from refusals import Refused, refuse
+from refusals import refuse
 
 # The names of members that are not those of C, and functions whose call with null is a member that is written by hand.
 NAMES = {"pw85_hard_ellipsoids_try": "try_placement"}
@@ -52,10 +53,6 @@ def called(text):
     return set(re.findall(r"\bpw85_\w+(?=[(,])", re.sub(r"//.*", "", text)))
 
 
-def called_by_hand():
-    return {name for header in CPP_HEADERS for name in called(by_hand(header))} - {*OVERLOADED}
-
-
 def call_of(function):
     """The call of a function, whose outputs are in the struct of spans that has no other members, if there is one."""
     outputs = {name for one in function.outputs for name in one.members()}
@@ -81,7 +78,8 @@ def members_of(place, said):
 
 def made_alone(listed):
     """Those of some functions that are made, and have a status or a size."""
-    return [one for one in listed if one.type in ("int", "size_t") and one.name not in called_by_hand()]
+    by_hands = {name for header in CPP_HEADERS for name in called(by_hand(header))} - {*OVERLOADED}
+    return [one for one in listed if one.type in ("int", "size_t") and one.name not in by_hands]
 
 
 def rows_of(place, said, is_of_kind=is_of_rows, caller="call_rows"):
@@ -93,10 +91,6 @@ def rows_of(place, said, is_of_kind=is_of_rows, caller="call_rows"):
     return "\n".join(texts)
 
 
-def pairs_of(place, said):
-    return rows_of(place, said, is_of_list, "call_pairs")
-
-
 def call_of_all(function, caller):
     call = call_of(function)
     places = [call.place(one) for one in function.parameters if one.name != "n"]
@@ -104,6 +98,7 @@ def call_of_all(function, caller):
     return call.text(name_in_cpp(function), body=body)
 
 
+pairs_of = partial(rows_of, is_of_kind=is_of_list, caller="call_pairs")
 MAKERS = {"rows": rows_of, "pairs": pairs_of, "functions": functions_of, "members": members_of}
 
 
@@ -113,6 +108,5 @@ def files():
     made = {f"include/{name}": renewed(name, MAKERS) for name in CPP_HEADERS if "api/committed.py:" in text_of(name)}
     known = {name for text in (*made.values(), *map(by_hand, CPP_HEADERS)) for name in called(text)}
     for one in functions(*SYSTEMS):
-        if one.name not in known:
-            raise Refused(f"{one.place}: in no made part of a header of C++")
+        refuse(one.place, {"in no made part of a header of C++": one.name not in known})
     return made

@@ -163,8 +163,7 @@ class Call:
 
     def mark(self, one):
         """The statement that marks an output before sizes are compared."""
-        value = one.attributes.on_error or ("NaN" if one.type == "double" else "")
-        if value:
+        if value := one.value_on_error():
             values = ", ".join([VALUES.get(value, value)] * one.size)
             self.marked.append(f"{one.name} = {{{values}}};" if one.shape else f"{one.name} = {values};")
 

@@ -31,7 +31,7 @@ namespace pw85::detail {{
 
 
 def is_of_object(function):
-    """Whether a function has a status, and a system or an object of the library, which it makes or on which it works."""
+    """Whether a function has a status, and a system or an object of the library."""
     return function.type == "int" and any(one.type in (*OBJECTS, "pw85_system") for one in function.parameters)
 
 
@@ -45,13 +45,6 @@ def worker(function):
     listed = [f"{one.type}{mark}{one.name}" if is_reference(one) else written
               for one, mark, written in zip(function.parameters, marks, function.written)]  # fmt: skip
     return arguments(f"int {function.plain}(", listed, ") noexcept;")
-
-
-def marked(one, places):
-    """The statement that fills an output with what it is on error; none if it stays as it is."""
-    value = one.attributes.on_error or ("NaN" if one.type == "double" and one.is_returned() else "")
-    if value and (one.is_output() or one.outer):
-        yield f"    mark({one.name}, {' * '.join(map(str, one.shape)) or 1}, {(MARKS | places).get(value, value)});"
 
 
 def checked_arguments(function, places):
@@ -74,7 +67,8 @@ def shim(function):
         arguments(f"int {function.name}(", function.written, ")"),
         "{",
         *(f"    auto const {one.name}_given = value_or_empty({one.name});" for one in structs),
-        *(line for one in function.parameters for line in marked(one, places)),
+        *(f"    mark({one.name}, {' * '.join(map(str, one.shape)) or 1}, {(MARKS | places).get(value, value)});"
+          for one in function.parameters if (value := one.value_on_error())),
         arguments(f"    auto const work = [&] {{ return {function.plain}(", passed, "); };"),
         arguments("    return checked_call(", [f'"{function.name}"', "work", *checked_arguments(function, places)], ");"),
         "}",

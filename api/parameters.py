@@ -94,6 +94,10 @@ class Parameter:
         """Whether the function gives one row of numbers or a new object by it."""
         return self.outer or (self.is_output() and not any(isinstance(extent, str) for extent in self.shape))
 
+    def value_on_error(self):
+        """What an output is on error; empty if it stays as it is."""
+        return self.attributes.on_error or ("NaN" if self.type == "double" and self.is_returned() else "")
+
     def members(self):
         """The members of the C++ result that it receives."""
         return self.attributes.members or (self.name,)

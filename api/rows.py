@@ -80,13 +80,11 @@ class RowFunction:
 
 
 def is_of_one_row(function):
-    def is_known(one):
-        if one.is_output():
-            return one.type in ("double", "int")
-        return one.type == "pw85_motion" or (one.type == "double" and (not one.pointer or one.length is not None))
-
-    has_result = function.type == "double" or bool(function.outputs)
-    return function.type in ("int", "double", "void") and bool(function.inputs) and has_result and all(map(is_known, function.parameters))
+    kinds = {"double", "pw85_motion"}
+    is_known = all(one.type in kinds and (one.is_motion() or not one.pointer or one.length is not None) for one in function.inputs)
+    has_results = function.type == "double" or bool(function.outputs)
+    is_written = all(one.type in ("double", "int") for one in function.outputs)
+    return function.type in ("int", "double", "void") and bool(function.inputs) and is_known and has_results and is_written
 
 
 def is_of_many_rows(function):
