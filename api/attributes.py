@@ -51,8 +51,6 @@ ASTRAY = re.compile(r"^\[|\[(?:as pw85|number of|n×|\d+×|length|optional|defin
 
 @dataclass
 class Attributes:
-    """The attributes of a parameter."""
-
     like: str = ""  # the function of the parameter with the same attributes
     rows: str = ""  # what the rows are that it counts: "pairs"
     shape: tuple = ()
@@ -66,7 +64,6 @@ class Attributes:
 
     @property
     def limits(self):
-        """The limits of values, in their order."""
         return [limit for word, limit in LIMITS.items() if word in self.words]
 
     def merged(self, other):

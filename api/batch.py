@@ -31,8 +31,8 @@ WITHOUT = ("pw85_ellipsoid", "pw85_contains_2d", "pw85_containment_2d")
 SAID = re.compile(r"^(?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<parameters>(?:    .*\n)*)", re.MULTILINE)
 PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions", "start": "starts"}  # of inputs
 # What there is beside ellipsoids, by an input.
-BESIDE = {"offset": "{} and half-spaces", "lower": "{} and boxes", "vertex1": "{} and triangles", "end1": "{} and segments",
-          "axis": "{} and cylinders", "r": "points and {}", "origin": "lines and {}"}  # fmt: skip
+BESIDE = {"offset": "{} and half-spaces", "lower": "{} and boxes", "vertex1": "{} and triangles", "axis": "{} and cylinders",
+          "radius": "{} and capsules", "end1": "{} and segments", "r": "points and {}", "origin": "lines and {}"}  # fmt: skip
 
 # The kernels of functions of many rows that have lanes: the header of the question in src/simd/lanes/, the
 # arrays, whose members are the parameters that the rows do not have, and the rows, if they are not those of pairs.
@@ -64,7 +64,7 @@ LANES |= {f"overlap_{name}": ("shapes", "OverlapArray", rows) for name, rows in 
 def has_rows(function):
     """Whether there is a function of many rows: each parameter is a number or an array of stated length, and an input is an array."""
     is_known = all(one.type in ("double", "int", "pw85_motion") and not one.rows for one in function.parameters)
-    return function.type == "int" and "__" not in function.name and is_known and any(one.length for one in function.inputs)
+    return function.type == "int" and is_known and any(one.length for one in function.inputs)
 
 
 def rows_of(function):
@@ -145,7 +145,6 @@ def statements():
 
 
 def header():
-    """The text of the header."""
     return renewed(HEADER, {"rows": lambda *_: "\n".join(one.declaration() for one in statements())})
 
 
@@ -192,7 +191,6 @@ def many_rows_file(title, listed):
 
 
 def files():
-    """The texts of the files by their names."""
     listed = {}
     for statement in statements():
         question = questions()[statement.function.name]

@@ -49,7 +49,6 @@ RESULTS = {
 
 
 def called(text):
-    """The functions of C that a text calls."""
     return set(re.findall(r"\bpw85_\w+(?=[(,])", re.sub(r"//.*", "", text)))
 
 
@@ -70,7 +69,6 @@ def functions_of(place, said):
 
 
 def members_of(place, said):
-    """The functions on an object as members of its class."""
     made = [one for one in made_alone(functions(*SYSTEMS)) if is_member(one) and one.parameters[0].type == said]
     refuse(place, {f"no object has members: {said}": not made})
     return "\n".join(call_of(one).text(NAMES.get(one.name, one.name.removeprefix(f"{said}_")), "    ") for one in made)

@@ -104,7 +104,7 @@ def structs():
 
 def row_type(function, one):
     """The type of a row, or of an array of one row."""
-    extents = one.shape[bool(one.rows) :]
+    extents = one.row_shape
     if one.type == "double":
         cell = {(3, 3): "Cell"} if function.header in ("pw85_systems.h", "pw85_simulation_addition.h") else {}
         return (ELEMENTS[function.dimension] | cell).get(extents) or f"std::array<double, {prod(extents)}>"

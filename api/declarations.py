@@ -52,12 +52,10 @@ class Function:
 
     @property
     def place(self):
-        """File and line, for errors."""
         return f"{self.header}:{self.line}: {self.name}()"
 
     @property
     def plain(self):
-        """Its name without the prefix."""
         return self.name.removeprefix("pw85_")
 
     @property
@@ -70,11 +68,9 @@ class Function:
         return " ".join(self.comment.split())
 
     def brief(self):
-        """The first sentence of the comment."""
         return first_sentence(self.prose).rstrip(".:;")
 
     def references(self):
-        """The names of the functions to which the comment refers."""
         return REFERENCE.findall(self.prose)
 
     def parameter_names(self):
@@ -82,7 +78,6 @@ class Function:
 
     @cached_property
     def parameters(self):
-        """The parameters of a function of C."""
         names = self.parameter_names()
         refuse(self.place, {f"two parameters of one name: {', '.join(names)}": len(set(names)) < len(names)})
         described = ((self.described(name), self.descriptions[name]) for name in names)
@@ -226,7 +221,6 @@ def functions(*headers):
 
 @of_texts
 def c_functions():
-    """All functions of the C headers by name."""
     found = {}
     for one in functions(*C_HEADERS):
         other = found.setdefault(one.name, one)

@@ -54,7 +54,6 @@ def in_place(made, given, place):
 
 
 def arguments_of(row, signature, voice, given):
-    """The section of parameters."""
     optional = {one.name for one, argument in zip(row.inputs, signature.inputs) if argument.default is not None}
     made = []
     for text, group in voice.grouped(row.inputs):
@@ -67,7 +66,6 @@ def arguments_of(row, signature, voice, given):
 
 
 def results_of(row, voice):
-    """The section of results."""
     if row.is_truth():
         yield entry("(...) array of bool, or bool", f"{'True' if row.is_overlap() else 'False'} for an invalid row of an array.")
         return

@@ -111,7 +111,6 @@ Procedure = namedtuple("Procedure", "name kind arguments comment declarations")
 
 
 def procedures():
-    """The procedures of the module by their names, in the order of the module."""
     found = {}
     for match in PROCEDURE.finditer(re.sub(r" *&\n *", " ", source_text(MODULE))):
         arguments = [name.strip() for name in match["arguments"].split(",")]

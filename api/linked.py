@@ -24,7 +24,6 @@ OTHERS = (
 
 
 def result_of(template, dimension):
-    """The type of the result, for doubles."""
     kind = re.search(r"\w+(?:<[^>]*>)?$", template.type)[0]
     return kind.replace("<T", "<double").replace(", D>", f", {dimension}>")
 

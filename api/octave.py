@@ -30,7 +30,6 @@ COLUMNS = {2: "[xc yc a b theta]", 3: "[xc yc zc a b c phi theta psi]"}
 
 
 def name_of(question):
-    """The name in Octave, which is that of the C API without `_2d`."""
     return f"pw85_{question.name}"
 
 
@@ -52,7 +51,6 @@ def outputs(question):
 
 
 def result(question):
-    """What a call is assigned to."""
     found = outputs(question)
     return found[0] if len(found) == 1 else f"[{', '.join(found)}]"
 

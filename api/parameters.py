@@ -65,9 +65,21 @@ class Parameter:
         return next((extent for extent in self.shape[:1] if isinstance(extent, str) and extent != PACKED), "")
 
     @property
+    def row_shape(self):
+        """Extents of a row where there are rows."""
+        return self.shape[bool(self.rows) :]
+
+    @property
     def size(self):
         """The number of numbers, in a row where there are rows."""
-        return prod(self.shape[bool(self.rows) :])
+        return prod(self.row_shape)
+
+    def with_shape(self, shape):
+        return replace(self, attributes=replace(self.attributes, shape=shape))
+
+    def has_stated_length(self):
+        """Whether it is a number, or an array whose length the declaration states."""
+        return not self.pointer or self.length is not None
 
     def is_handle(self):
         """Whether it is a pointer to an object that the library owns, or one that the library does not read."""
@@ -103,7 +115,6 @@ class Parameter:
         return self.attributes.members or (self.name,)
 
     def member_names(self):
-        """The names of the members of a struct."""
         return {one.name for one in members(self.type)} if self.is_struct() else set()
 
 

@@ -57,7 +57,6 @@ def text_of(header):
 
 
 def headers_in_folders():
-    """The names of the headers in the folders of pw85/."""
     return sorted(path.relative_to(INCLUDE).as_posix() for path in INCLUDE.glob("pw85/*/*.hpp"))
 
 
@@ -86,7 +85,6 @@ def statuses():
 
 @cache
 def macros():
-    """The names of all macros and statuses."""
     texts = (path.read_text(encoding="utf-8") for path in INCLUDE.rglob("*.h*"))
     return {*statuses(), *(name for text in texts for name in re.findall(r"#define (PW85_\w+)", text))}
 

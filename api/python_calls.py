@@ -158,7 +158,6 @@ class Body:
 
 
 def objects_table():
-    """The functions on objects, and the table of them."""
     listed = functions_of_objects()
     entries = (f'    {{"{one.plain}", as_method({one.plain}), METH_FASTCALL, "Status and results of {one.name}()."}},\n' for one in listed)
     texts = "".join(Body(one).text() for one in listed)
@@ -166,7 +165,6 @@ def objects_table():
 
 
 def type_of(one):
-    """The type of a result in Python."""
     if one.outer:
         return "Any"
     number = "float" if one.type == "double" else "int"

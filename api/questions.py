@@ -97,7 +97,6 @@ def call(row):
 
 
 def wrapped(line):
-    """A line of C in as many as it needs."""
     indent = " " * (len(line) - len(line.lstrip()))
     return filled(line.strip(), first=indent, rest=indent + "    ")
 

@@ -54,7 +54,6 @@ def columns(question, dimension):
 
 
 def names_of_columns(question, dimension):
-    """The columns of the result in the table of C."""
     names = ", ".join(f'"{one}"' for one in columns(question, dimension))
     return f", {{{names}}}"
 
@@ -76,7 +75,6 @@ def help_text(text):
 
 
 def described(question):
-    """What is said of each argument."""
     which = WHICH[tuple(sorted(question.rows))]
     first, second = f"A data frame with a row for each {which}, see pw85-package.", f"The second {which.split()[-1]}s, as `x`."
     yield from zip(question.ellipsoids, (first, second) if "x" in question.ellipsoids else (second,))
@@ -87,7 +85,6 @@ def described(question):
 
 
 def value_of(question):
-    """What the function returns."""
     row, dimension = question.first, max(question.rows)
     texts = [(", ".join(f"\\code{{{one.name}}}" for one in group), text) for text, group in voice(question).grouped(row.outputs)]
     if len(row.outputs) == 1:
@@ -101,7 +98,6 @@ def value_of(question):
 
 
 def page(question):
-    """The page of help of a function."""
     name, (brief, *rest) = name_of(question), voice(question).head()
     details = [*rest, *voice(question).notes(), question.dimensions]
     details.append(

@@ -70,7 +70,6 @@ class RowFunction:
         return bool(listed) and all(one.pointer and (one.type == "double" or (self.is_truth() and one.is_truth())) for one in listed)
 
     def is_overlap(self):
-        """Whether the result is the answer whether there is an overlap."""
         return self.is_truth() and self.name.startswith("overlap")
 
     def signature(self):
@@ -80,11 +79,10 @@ class RowFunction:
 
 
 def is_of_one_row(function):
-    kinds = {"double", "pw85_motion"}
-    is_known = all(one.type in kinds and (one.is_motion() or not one.pointer or one.length is not None) for one in function.inputs)
-    has_results = function.type == "double" or bool(function.outputs)
+    if function.type not in ("int", "double", "void") or not function.inputs or (function.type != "double" and not function.outputs):
+        return False
     is_written = all(one.type in ("double", "int") for one in function.outputs)
-    return function.type in ("int", "double", "void") and bool(function.inputs) and is_known and has_results and is_written
+    return is_written and all(one.is_motion() or (one.type == "double" and one.has_stated_length()) for one in function.inputs)
 
 
 def is_of_many_rows(function):
@@ -99,15 +97,14 @@ def name_of_many(name):
 
 def of_row(one):
     """A parameter with the shape that it has in one row."""
-    shape = (NUMBERS_OF_MOTION,) if one.type == "pw85_motion" else one.shape[bool(one.rows) :]
-    return replace(one, attributes=replace(one.attributes, shape=shape))
+    return one.with_shape((NUMBERS_OF_MOTION,) if one.is_motion() else one.row_shape)
 
 
 def results(function):
     outputs = function.outputs
     if function.name in ONE_OF_MANY or not outputs:
         return [RETURNED]
-    numbers = replace(outputs[0], attributes=replace(outputs[0].attributes, shape=()))
+    numbers = outputs[0].with_shape(())
     if len(outputs) == 1 and outputs[0].length == len(outputs[0].members()) > 1:
         return [replace(numbers, name=name) for name in outputs[0].members()]
     if function.type == "double":  # the function returns the first of the numbers that it writes

@@ -34,7 +34,6 @@ def asked():
 
 @cache
 def names_in_rust():
-    """The names in Rust of functions of C."""
     listed = [function.name for row in asked() for function in (row.function, row.many) if function]
     return {name: name.removeprefix("pw85_") for name in (*listed, *BY_HAND_IN_RUST)}
 
@@ -47,23 +46,18 @@ def zero(one):
     return "0" if one.type != "double" else row_type(one).replace("f64", "0.0")
 
 
-def is_of_rows(one):
-    return one.shape[:1] == ("n",)
-
-
 def row_type(one):
-    """The type of the numbers that a row has."""
     if one.type == "double":
-        return array(one.shape[is_of_rows(one) :])
+        return array(one.row_shape)
     return {"pw85_motion": "Motion", "int": "i32"}.get(one.type, "u8")
 
 
 def argument_type(one):
     if one.is_output():
         return f"Option<&mut [{row_type(one)}]>" if one.nullable else f"&mut [{row_type(one)}]"
-    if is_of_rows(one):
+    if one.rows:
         return f"&[{row_type(one)}]"
-    return f"&{row_type(one)}" if one.shape or one.type == "pw85_motion" else "f64"
+    return f"&{row_type(one)}" if one.pointer else "f64"
 
 
 def result_type(one):
@@ -86,18 +80,15 @@ def values():
 
 
 def result_of(row):
-    """The type of the result: a struct, or that of the only output."""
     return values()[0].get(row.function.name) or result_type(row.outputs[0])
 
 
 @cache
 def voice(row):
-    """What the headers say, in the words of Rust."""
     return PlainVoice(row, names_in_rust(), has_matrices=True)
 
 
 def told(row, listed):
-    """Texts, and arguments."""
     said = voice(row)
     items = []
     for text, group in said.grouped(listed):
@@ -134,25 +125,22 @@ def comment(paragraphs, indent="", example=()):
 
 def literal(function, one):
     """A valid argument of one row."""
-    value = example_value(function, one, (*one.shape[is_of_rows(one) :], 0)[0])
+    value = example_value(function, one, (*one.row_shape, 0)[0])
     text = f"pw85::Motion {{ velocity: {value[:3]}, ..Default::default() }}" if one.type == "pw85_motion" else str(value)
     return re.sub(r"(?<![\w.])\d+(?![\w.])", r"\g<0>.0", text)
 
 
 def passed(one):
     """An argument as C takes it."""
-    if one.nullable and is_of_rows(one):
+    if one.nullable and one.rows:
         return f"pointer({one.name})"
-    if not one.pointer or (one.is_output() and not one.shape):
-        return f"&mut {one.name}" if one.pointer else one.name
+    if not one.shape:
+        return f"&mut {one.name}" if one.is_output() else one.name
     pointer = f"{one.name}.{'as_mut_ptr' if one.is_output() else 'as_ptr'}()"
-    if one.type == "pw85_motion":
-        return f"{one.name}.as_ptr()" if is_of_rows(one) else one.name
     return f"{pointer}.cast()" if len(one.shape) > 1 else pointer
 
 
 def single(row):
-    """The function of one row."""
     name, inputs, outputs = names_in_rust()[row.function.name], row.function.inputs, row.function.outputs
     refuse(row.function.place, {"api/rust.py makes no functions of those that return a number": not outputs})
     errors = sentence(re.sub(r"^For a single (row|value): | In arrays, invalid rows become NaN\.$", "", voice(row).raises())).strip()
@@ -175,17 +163,16 @@ def single(row):
 
 
 def many(row):
-    """The function of many rows."""
-    name, (_, *listed), outputs = names_in_rust()[row.many.name], row.many.parameters, row.many.outputs
-    inputs = [one for one in listed if not one.is_output()]
-    first, *others = [one for one in listed if is_of_rows(one)]
+    name, (_, *inputs), outputs = names_in_rust()[row.many.name], row.many.inputs, row.many.outputs
+    listed = row.many.parameters[1:]
+    first, *others = [one for one in listed if one.rows]
     optional = " An output that is `None` is not written." * any(one.nullable for one in outputs)
     text = [*told(row_function(row.many, row.many), listed), f"Row i of each slice belongs to row i of `{first.name}`.{optional}",
             "# Errors", f"A slice has not as many rows as `{first.name}`, or a row is refused. The outputs of such rows are NaN, 255 for "
             "truth values, 2 for signs; other rows are computed."]  # fmt: skip
-    lines = [f"let {one.name} = {'[' * is_of_rows(one)}{literal(row.many, one)}{'; 2]' * is_of_rows(one)};" for one in inputs]
+    lines = [f"let {one.name} = {f'[{value}; 2]' if one.rows else value};" for one in inputs for value in [literal(row.many, one)]]
     lines += [f"let mut {one.name} = [{zero(one)}; 2];" for one in outputs]
-    given = [f"Some(&mut {one.name})" if one.nullable else "&" * is_of_rows(one) + "mut " * one.is_output() + one.name for one in listed]
+    given = [f"Some(&mut {one.name})" if one.nullable else "&" * bool(one.rows) + "mut " * one.is_output() + one.name for one in listed]
     lines += [*listing(f"pw85::{name}(", given, ")?;"), f"assert_eq!({outputs[-1].name}[0], {outputs[-1].name}[1]);"]
     yield from comment(text, example=lines)
     yield from listing(f"pub fn {name}(", [f"{one.name}: {argument_type(one)}" for one in listed], ") -> Result<(), Error> {")

@@ -63,7 +63,6 @@ SOURCES = "pw85.h, pw85_grains.h and pw85_shapes.h"
 
 
 def by_hand():
-    """The functions that are written by hand."""
     texts = (path.read_text(encoding="utf-8") for path in (SOURCE / FOLDER).glob("*.cpp"))
     return {name for text in texts if MARK not in text for name in DEFINITION.findall(text)}
 
