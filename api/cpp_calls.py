@@ -188,7 +188,7 @@ class Call:
         calls = [f"detail::have_rows({size}.size(), {', '.join(places)})" for size, places in groups.items()]
         whole = f"!{calls[0]}" if len(calls) == 1 else f"!({' && '.join(calls)})"
         lines = wrapped(f"if ({whole}) return\0StatusCode::invalid_argument;", 100 - len(indent), rest="    ")
-        yield from (line.replace("\0", " ") for line in lines)
+        return [line.replace("\0", " ") for line in lines]
 
     def body(self, indent):
         yield from self.first

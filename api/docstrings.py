@@ -78,12 +78,8 @@ def results_of(row, voice):
 def docstring(row, signature, given, voice):
     """The docstring of a Python function. The sections of `given` replace or complete those from the C header."""
     paragraphs, sections = parse(given, row.function.place)
-    raises = voice.raises() and entry("PW85Error", voice.raises())
-    made = {
-        "Returns": "\n".join(results_of(row, voice)),
-        "Raises": raises,
-        "Notes": "\n\n".join(filled(text, WIDTH) for text in voice.notes()),
-    } | sections
+    raises, notes = voice.raises(), "\n\n".join(filled(text, WIDTH) for text in voice.notes())
+    made = {"Returns": "\n".join(results_of(row, voice)), "Raises": raises and entry("PW85Error", raises), "Notes": notes} | sections
     made["Parameters"] = arguments_of(row, signature, voice, sections.get("Parameters", ""))
     listed = (f"{title}\n{'-' * len(title)}\n{made[title]}" for title in ORDER if made.get(title))
     return "\n\n".join([*(paragraphs or (filled(text, WIDTH) for text in voice.head())), *listed])

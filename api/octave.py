@@ -33,11 +33,6 @@ def name_of(question):
     return f"pw85_{question.name}"
 
 
-def functions():
-    """The questions by their names in Octave."""
-    return {name_of(one): one for one in questions()}
-
-
 def voice(question):
     return question.voice(name_of)
 
@@ -68,10 +63,10 @@ def item(name, text):
     return paragraph(text, " " * 14, f"  {name:<10}  ")
 
 
-def usages(name, question):
+def usages(question):
     """The ways to call a function."""
     given = [inputs(question), question.arguments] if question.ellipsoids else [inputs(question)]
-    ways = [f"{result(question)} = {name} ({', '.join(listed)})" for listed in given]
+    ways = [f"{result(question)} = {name_of(question)} ({', '.join(listed)})" for listed in given]
     return [re.sub(", t_max", " [, t_max]", way) for way in ways]
 
 
@@ -100,22 +95,22 @@ def described_items(question):
         yield item(names, "true or false." if question.first.is_truth() else f"{text} {columns}{matrix}.")
 
 
-def page(name, question):
+def page(question):
     """The file of a function: help, body and test."""
-    head, (brief, *rest) = result(question), voice(question).head()
+    name, head, (brief, *rest) = name_of(question), result(question), voice(question).head()
     lines = [f"function {head} = {name} (varargin)", paragraph(brief, "  ", f"{name}  "), "%"]
-    lines += [f"%   {way}" for way in usages(name, question)]
+    lines += [f"%   {way}" for way in usages(question)]
     for text in (*rest, *voice(question).notes(), question.dimensions, ROWS_OF_ALL):
         lines += ["%", paragraph(text)]
     lines += ["%", *described_items(question), "%", f"%  The function of the C API is {question.first.function.name}().", ""]
     lines += ["% SPDX-License-Identifier: BSD-3-Clause", f"% {MARK[0].upper()}{MARK[1:]}."]
-    lines += [f"  {head} = pw85_mex ('{question.name}', varargin{{:}});", "end", "", *test_of(name, question), ""]
+    lines += [f"  {head} = pw85_mex ('{question.name}', varargin{{:}});", "end", "", *test_of(question), ""]
     return "\n".join(lines)
 
 
-def test_of(name, question):
+def test_of(question):
     """Rows of matGeom give what their centres and forms give, and each row alone what it gives among others."""
-    made, count = f"[a{{1:{len(outputs(question))}}}]", len(question.ellipsoids)
+    name, made, count = name_of(question), f"[a{{1:{len(outputs(question))}}}]", len(question.ellipsoids)
     values = [VALUES.get(one.name) or ("[1 0 0]" if one.size == 3 else "[1 0]") for one in question.others]
     if not count:
         return ["%!test", f"%! q = {name} ({', '.join(values)});", "%! assert (all (q(:,[1 end])(:) > 0));"]
@@ -132,8 +127,8 @@ def test_of(name, question):
 def index():
     """The list of all functions by the sections of the headers, and of pw85_enclosing.h."""
     declared = [section for header in HOST_HEADERS for section in sections(header)]
-    titles = {name: next(section.title for section in declared if one.first.function in section.functions)
-              for name, one in functions().items()} | BY_HAND  # fmt: skip
+    titles = {name_of(one): next(section.title for section in declared if one.first.function in section.functions)
+              for one in questions()} | BY_HAND  # fmt: skip
     lines = ["pw85 >> Ellipses and ellipsoids"]
     for title in dict.fromkeys([*(section.title for section in declared), *BY_HAND.values()]):
         own = [f"  {name}" for name, section in titles.items() if section == title]
@@ -147,4 +142,4 @@ def files():
     described = with_version("octave/DESCRIPTION.in").replace("@date@", released)
     table = c_source(MARK, "pw85_octave.h", is_endless)
     made = {"octave/DESCRIPTION": described, "octave/INDEX": index(), "octave/src/questions.c": table}
-    return made | {f"octave/inst/{name}.m": page(name, one) for name, one in functions().items()}
+    return made | {f"octave/inst/{name_of(one)}.m": page(one) for one in questions()}

@@ -63,7 +63,7 @@ def batch(row):
     """The function of many rows; one that is not only of arrays has a function of its own in function.cpp."""
     if row.many is None or any(one.is_integer() for one in row.outputs):
         return "nullptr"
-    is_of_arrays = all(one.pointer and one.type != "pw85_motion" for one in row.many.parameters[1:])
+    is_of_arrays = all(one.pointer and not one.is_motion() for one in row.many.parameters[1:])
     return f"batch<{row.many.name}>" if is_of_arrays else row.many.plain
 
 

@@ -81,7 +81,6 @@ def call(row):
     if row.takes_rows():
         passed = [f"in[{k}]" for k in range(len(row.inputs))] + [f"out[{k}]" for k in range(len(row.outputs))]
         return ["    (void)row;", f"    return {row.many.name}({', '.join(['n', *passed])});"]
-    assert not row.is_split(), row.name
     passed, integers, stored = [], [], []
     for k, one in enumerate(row.inputs):
         text = f"in[{k}] + {one.size} * i" if one.shape else f"in[{k}][i]"
@@ -107,14 +106,14 @@ def entry(question, facts, columns):
     for dimension, row in sorted(question.rows.items()):
         assert [one.name for one in row.inputs if one.name not in KINDS] == [one.name for one in question.others], question.name
         given = ", ".join(f'{{"{one.name}", {KINDS.get(one.name, "PW85_VALUES")}, {one.size}}}' for one in row.inputs)
-        sizes = ", ".join(str(one.size) for one in row.outputs)
+        sizes, names = ", ".join(str(one.size) for one in row.outputs), ", ".join(f'"{one}"' for one in columns(question, dimension))
         text = f"{question.name}_{dimension}, {str(row.is_truth()).lower()}, {len(row.inputs)}, {{{given}}}, "
-        yield wrapped(f"        [{dimension - 2}] = {{{text}{len(row.outputs)}, {{{sizes}}}{columns(question, dimension)}}},")
+        yield wrapped(f"        [{dimension - 2}] = {{{text}{len(row.outputs)}, {{{sizes}}}{f', {{{names}}}' if names else ''}}},")
     yield "    }},"
 
 
-def c_source(mark, header, facts=lambda question: "", columns=lambda question, dimension: ""):
-    """The functions and the table of all questions by their names. A language can have facts of a question, and of its columns."""
+def c_source(mark, header, facts=lambda question: "", columns=lambda question, dimension: ()):
+    """The functions and the table of all questions by their names. A language can have facts of a question, and names of columns."""
     listed = sorted(questions(), key=lambda one: one.name)
     rows = {f"{one.name}_{dimension}": row for one in listed for dimension, row in sorted(one.rows.items())}
     arguments = "size_t n, double const *const *in, void *const *out, size_t *row"

@@ -53,11 +53,6 @@ def columns(question, dimension):
     return found
 
 
-def names_of_columns(question, dimension):
-    names = ", ".join(f'"{one}"' for one in columns(question, dimension))
-    return f", {{{names}}}"
-
-
 def r_source():
     called = [(usage(one).replace("(", " <- function(", 1), ", ".join([f'"{one.name}"', *one.arguments])) for one in questions()]
     lines = [f"{defined} .External(C_ask, {given})" for defined, given in called]
@@ -127,6 +122,6 @@ def example_of(question):
 
 
 def files():
-    table = c_source(MARK, "pw85_r.h", columns=names_of_columns)
+    table = c_source(MARK, "pw85_r.h", columns=columns)
     made = {"r/DESCRIPTION": with_version("r/DESCRIPTION.in"), "r/src/questions.c": table, "r/R/questions.R": r_source()}
     return made | {f"r/man/{name_of(one)}.Rd": page(one) for one in exported()}

@@ -89,13 +89,12 @@ def voice(row):
 
 
 def told(row, listed):
-    said = voice(row)
-    items = []
+    said, items = voice(row), []
     for text, group in said.grouped(listed):
-        words = [text, f"Unit: {group[0].attributes.unit}." * bool(group[0].attributes.unit)]
-        items += [f"- {', '.join(f'`{one.name}`' for one in group)}: {' '.join(filter(None, words))}"] * any(words)
-    arguments = "\n".join(items)
-    return [*said.head(), *said.notes(), *["# Arguments", arguments] * bool(arguments)]
+        unit = group[0].attributes.unit
+        words = " ".join(filter(None, [text, unit and f"Unit: {unit}."]))
+        items += [f"- {', '.join(f'`{one.name}`' for one in group)}: {words}"] if words else []
+    return [*said.head(), *said.notes(), *(["# Arguments", "\n".join(items)] if items else [])]
 
 
 def camel(name):
@@ -141,7 +140,7 @@ def passed(one):
 
 
 def single(row):
-    name, inputs, outputs = names_in_rust()[row.function.name], row.function.inputs, row.function.outputs
+    name, inputs, outputs = row.function.plain, row.function.inputs, row.function.outputs
     refuse(row.function.place, {"api/rust.py makes no functions of those that return a number": not outputs})
     errors = sentence(re.sub(r"^For a single (row|value): | In arrays, invalid rows become NaN\.$", "", voice(row).raises())).strip()
     given = [f"{'&' * (argument_type(one)[0] == '&')}{literal(row.function, one)}" for one in inputs]
@@ -163,7 +162,7 @@ def single(row):
 
 
 def many(row):
-    name, (_, *inputs), outputs = names_in_rust()[row.many.name], row.many.inputs, row.many.outputs
+    name, (_, *inputs), outputs = row.many.plain, row.many.inputs, row.many.outputs
     listed = row.many.parameters[1:]
     first, *others = [one for one in listed if one.rows]
     optional = " An output that is `None` is not written." * any(one.nullable for one in outputs)
@@ -183,7 +182,7 @@ def many(row):
 
 
 def struct(name, rows):
-    shared = ", ".join(f"`{names_in_rust()[one.function.name]}()`" for one in rows)
+    shared = ", ".join(f"`{one.function.plain}()`" for one in rows)
     yield from [*comment([f"Results of {shared}."]), f"#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{"]
     for text, group in voice(rows[0]).grouped(rows[0].outputs):
         names = f"{', '.join(f'`{one.name}`' for one in group)}: " if len(group) > 1 else ""
