@@ -10,8 +10,9 @@ import re
 from collections import namedtuple
 from itertools import groupby
 
-from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, row_type, structs
+from cpp import ENDS, SHORT_NAMES, brief, described, in_cpp, row_type, structs, type_in_cpp
 from layout import arguments, wrapped
+from parameters import OBJECTS
 from refusals import refuse
 
 NAMES = {"system": "particles"}  # of parameters in C++
@@ -48,7 +49,7 @@ class Call:
 
     def argument(self, one):
         """What is passed for a parameter, which it declares."""
-        if one.type in CLASSES:
+        if one.type in OBJECTS:
             return self.object(one)
         if one.is_struct():
             return self.struct(one)
@@ -88,7 +89,7 @@ class Call:
         return place
 
     def object(self, one):
-        kind = CLASSES[one.type]
+        kind = type_in_cpp(one.type)
         if self.is_member:
             return "get()"
         self.declare(one, f"{kind} {'' if one.outer else 'const '}&{one.name}")
@@ -101,7 +102,7 @@ class Call:
 
     def struct(self, one):
         name = NAMES.get(one.name, one.name)
-        self.declare(one, f"{STRUCTS[one.type]} const &{name}")
+        self.declare(one, f"{type_in_cpp(one.type)} const &{name}")
         self.before.append(f"{one.type} const {name}_in_c = detail::in_c({name});")
         if one.type == "pw85_pair_list":
             self.checked.append(("list.pairs", "detail::optional(list.images)"))
@@ -143,7 +144,7 @@ class Call:
         if one.type == "pw85_motion":
             self.before.append(f"pw85_motion const {one.name}_in_c = detail::in_c({place});")
             return f"&{one.name}_in_c"
-        return address(row, place) if one.shape else f"&{place}"
+        return place + ENDS.get(row.split("<")[0], ".data()") if one.shape else f"&{place}"
 
     def split(self, one):
         """An output whose numbers are members of the result."""
@@ -175,7 +176,7 @@ class Call:
         return one.name if names else f"&{one.name}"
 
     def number(self, one):
-        plain_type = NUMBERS.get(one.type, one.type)
+        plain_type = type_in_cpp(one.type)
         kind, equals, default = self.types.get(one.name, plain_type).partition(" = ")
         place = self.declare_or_find(one, f"{kind} {one.name}{equals}{default}")
         return place if kind == plain_type else f"static_cast<{one.type}>({place})"
@@ -235,7 +236,7 @@ class Call:
 
     def text(self, name, indent="", body=None, head="static inline", comment=()):
         """The definition; `body` stands for the statements of the call."""
-        kind = self.result or ("StatusCode" if self.function.type == "int" else NUMBERS[self.function.type])
+        kind = self.result or ("StatusCode" if self.function.type == "int" else type_in_cpp(self.function.type))
         is_const = " const" if self.is_member and self.function.parameters[0].const else ""
         head = "[[gnu::always_inline]]" if self.is_member else head
         mark, inner = f"{indent}/// ", f"{indent}    "

@@ -14,7 +14,7 @@ from functools import cached_property
 
 from parameters import STRUCTS, Description, counts_of, description, members, parameter, with_counts
 from public_headers import C_HEADERS, PARTS, macros, of_texts, text_of
-from refusals import Refused, line_of, refuse
+from refusals import line_of, refuse
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
 C = re.compile(
@@ -195,7 +195,7 @@ def refuse_unread(header, text, matches, is_c):
         read = {text.rfind("\n", 0, one.start("name")) + 1 for one in matches if one["name"] and one["type"].strip() in RETURNED}
         wrong += [one for one in DECLARATION.finditer(text) if one.start() not in read]
     for one in wrong:
-        raise Refused(f"{line_of(header, text, one.start())}: not understood: {one[0]}")
+        refuse(line_of(header, text, one.start()), {f"not understood: {one[0]}": True})
 
 
 @of_texts

@@ -74,11 +74,6 @@ def table():
     return "\n".join([*lines, ""])
 
 
-def plain(text):
-    """A text of the headers as it stands in comments."""
-    return with_named_statuses(text).replace("``", "`")
-
-
 @cache
 def voice(row):
     return PlainVoice(row, {one.function.name: camel(one.name) for one in asked()}, {one.name: camel(one.name) for one in row.inputs})
@@ -123,7 +118,7 @@ def declaration(row):
         size = f"{MOTION if first.is_motion() else ''}{f' {first.size} numbers.' if first.shape else ''}"
         said.append(f"@param {camel(first.name)} {text}{size}")
         said += [f"@param {camel(one.name)} As `{camel(first.name)}`." for one in others]
-    yield from comment(map(plain, said))
+    yield from comment(with_named_statuses(text).replace("``", "`") for text in said)
     yield f"{signature(row)};"
     yield from comment([f"{name}() of many rows: see {{@link Numbers}}."])
     yield f"{name}Rows({parameters_of(row, both)}): {one_or_object(names_and(row, lambda one: ARRAYS[type_of(row, one)]))};"

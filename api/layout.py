@@ -38,6 +38,11 @@ def arguments(begin, listed, end):
     return text.replace("\0", " ")
 
 
+def camel(name):
+    """The name of a type in C++ and Rust."""
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
 def in_one_line_or_each(begin, listed, end, indent="", width=WIDTH):
     """The lines of a list: one if that fits, or one for each element."""
     line = f"{indent}{begin}{', '.join(listed)}{end}"

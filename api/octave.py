@@ -41,12 +41,8 @@ def inputs(question):
     return [one.name for one in question.first.inputs]
 
 
-def outputs(question):
-    return [one.name for one in question.first.outputs]
-
-
 def result(question):
-    found = outputs(question)
+    found = [one.name for one in question.first.outputs]
     return found[0] if len(found) == 1 else f"[{', '.join(found)}]"
 
 
@@ -110,7 +106,7 @@ def page(question):
 
 def test_of(question):
     """Rows of matGeom give what their centres and forms give, and each row alone what it gives among others."""
-    name, made, count = name_of(question), f"[a{{1:{len(outputs(question))}}}]", len(question.ellipsoids)
+    name, made, count = name_of(question), f"[a{{1:{len(question.first.outputs)}}}]", len(question.ellipsoids)
     values = [VALUES.get(one.name) or ("[1 0 0]" if one.size == 3 else "[1 0]") for one in question.others]
     if not count:
         return ["%!test", f"%! q = {name} ({', '.join(values)});", "%! assert (all (q(:,[1 end])(:) > 0));"]

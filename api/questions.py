@@ -81,18 +81,15 @@ def call(row):
     if row.takes_rows():
         passed = [f"in[{k}]" for k in range(len(row.inputs))] + [f"out[{k}]" for k in range(len(row.outputs))]
         return ["    (void)row;", f"    return {row.many.name}({', '.join(['n', *passed])});"]
-    passed, integers, stored = [], [], []
+    passed, kind = [], "unsigned char" if row.is_truth() else "double"
     for k, one in enumerate(row.inputs):
         text = f"in[{k}] + {one.size} * i" if one.shape else f"in[{k}][i]"
         passed.append(f"(pw85_motion const *)({text})" if one.is_motion() else text)
-    kind = "unsigned char" if row.is_truth() else "double"
-    for k, one in enumerate(row.outputs):
-        passed.append(f"&integer{k}" if one.is_integer() else f"(double *)out[{k}] + {one.size} * i")
-        integers += [f"        int integer{k};"] * one.is_integer()
-        stored += [f"        (({kind} *)out[{k}])[i] = ({kind})integer{k};"] * one.is_integer()
-    return ["    for (*row = 0; *row < n; ++*row) {", "        size_t const i = *row;", *integers,
+    passed += [f"&integer{k}" if one.is_integer() else f"(double *)out[{k}] + {one.size} * i" for k, one in enumerate(row.outputs)]
+    integers = [k for k, one in enumerate(row.outputs) if one.is_integer()]
+    return ["    for (*row = 0; *row < n; ++*row) {", "        size_t const i = *row;", *(f"        int integer{k};" for k in integers),
             f"        int const status = {row.function.name}({', '.join(passed)});", "        if (status != 0) return status;",
-            *stored, "    }", "    return 0;"]  # fmt: skip
+            *(f"        (({kind} *)out[{k}])[i] = ({kind})integer{k};" for k in integers), "    }", "    return 0;"]  # fmt: skip
 
 
 def wrapped(line):

@@ -9,8 +9,8 @@ from functools import cache
 
 from declarations import functions
 from examples import example_value
+from layout import camel, wrapped
 from layout import in_one_line_or_each as listing
-from layout import wrapped
 from public_headers import ONE_ROW, statuses, with_version
 from refusals import entry_of, refuse
 from rows import row_function, row_functions, rows_by_hand
@@ -95,10 +95,6 @@ def told(row, listed):
         words = " ".join(filter(None, [text, unit and f"Unit: {unit}."]))
         items += [f"- {', '.join(f'`{one.name}`' for one in group)}: {words}"] if words else []
     return [*said.head(), *said.notes(), *(["# Arguments", "\n".join(items)] if items else [])]
-
-
-def camel(name):
-    return "".join(word.capitalize() for word in name.split("_"))
 
 
 def in_markdown(text):
