@@ -115,10 +115,3 @@ def parsed(text, extents, place):
     words = frozenset(name for name, said in found.items() if name == said)
     values = {name: PARTS.get(name, str)(said) for name, said in found.items() if name not in words}
     return Attributes(words=words, **values)
-
-
-def text_behind(text, place):
-    """The text behind the brackets; brackets that are open, or stand behind a word, are not read as attributes."""
-    plain = " ".join(text.split())
-    refuse(place, {f"attributes must stand between brackets behind the name: {plain}": ASTRAY.search(plain)})
-    return plain

@@ -97,11 +97,6 @@ class Statement:
             refuse(place, {f"{self.name}() has no parameter {name}, or it is described twice, or without brackets": is_wrong})
             self.said[name] = text
 
-    def arguments(self):
-        """The parameters of one row, each with those of the made header that stand for it."""
-        many = {one.name: one for one in c_functions()[self.name].parameters}
-        return [(one, [many[name] for name in names_of(one)]) for one in self.function.parameters]
-
     def made(self, one, name):
         """The parameter of many rows that stands for one of one row: its declaration, and tag, name, attributes and text of its comment."""
         is_truth = one.is_output() and one.is_truth()
@@ -165,16 +160,16 @@ def kernel_of(function):
 
 
 def of_many_rows(statement):
-    listed = statement.arguments()
+    many = {one.name: one for one in c_functions()[statement.name].parameters}
+    listed = [(one, [many[name] for name in names_of(one)]) for one in statement.function.parameters]
     if statement.function.plain in LANES:
         _, rows, arrays = kernel_of(statement.function)
-        own = [one for _, many in listed for one in many]
-        others = ", ".join(one.name for one in own if one.name not in re.findall(r"\w+", rows))
-        names = [one.name for one in own if one.pointer and not one.nullable]
+        others = ", ".join(name for name in many if name not in ("n", *re.findall(r"\w+", rows)))
+        names = [one.name for one in many.values() if one.pointer and not one.nullable]
         begin, passed = "    return compute_rows(", [rows, f"{arrays}{{{others}}}", *names]
     else:
-        names = [many[0].name for _, many in listed]
-        begin, passed = "    return each_row(", [statement.function.name, *(row_argument(one, many) for one, many in listed)]
+        names = [first.name for _, (first, *_) in listed]
+        begin, passed = "    return each_row(", [statement.function.name, *(row_argument(one, own) for one, own in listed)]
     head = arguments(f"int {statement.name}(", c_functions()[statement.name].written, ")")
     table = arguments("    static constexpr char const *names[] = {", [f'"{one}"' for one in [statement.name, *names]], "};")
     return f"\n{head}\n{{\n{table}\n{arguments(begin, ['names', 'n', *passed], ');')}\n}}\n"

@@ -12,7 +12,6 @@ A function that the text by hand calls is not made. The tables say what does not
 """
 
 import re
-from functools import partial
 
 from cpp import by_hand, is_member, is_of_list, is_of_rows, name_in_cpp, structs
 from cpp_calls import Call
@@ -80,24 +79,23 @@ def made_alone(listed):
     return [one for one in listed if one.type in ("int", "size_t") and one.name not in by_hands]
 
 
-def rows_of(place, said, is_of_kind=is_of_rows, caller="call_rows"):
+def rows_of(place, said):
     """The functions of a header that pass all arrays to detail::call_rows() or call_pairs(), which compare sizes, by its sections."""
     texts = []
     for section in sections(said):
-        listed = [call_of_all(one, caller) for one in section.functions if is_of_kind(one)]
+        listed = [call_of_all(one) for one in section.functions if is_of_rows(one) or is_of_list(one)]
         texts += [f"/// @name {section.title}\n/// @{{\n", *listed, "/// @}\n"] if listed else []
     return "\n".join(texts)
 
 
-def call_of_all(function, caller):
-    call = call_of(function)
+def call_of_all(function):
+    call, caller = call_of(function), "call_pairs" if is_of_list(function) else "call_rows"
     places = [call.place(one) for one in function.parameters if one.name != "n"]
     body = arguments(f"    return detail::{caller}(", [function.name, *places], ");").removeprefix("    ").split("\n    ")
     return call.text(name_in_cpp(function), body=body)
 
 
-pairs_of = partial(rows_of, is_of_kind=is_of_list, caller="call_pairs")
-MAKERS = {"rows": rows_of, "pairs": pairs_of, "functions": functions_of, "members": members_of}
+MAKERS = {"rows": rows_of, "pairs": rows_of, "functions": functions_of, "members": members_of}
 
 
 def files():

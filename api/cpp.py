@@ -9,7 +9,7 @@ from declarations import CPP, c_functions
 from layout import PART, camel
 from public_headers import CPP_HEADERS, DETAIL, SYSTEMS, headers_in_folders, statuses, text_of
 from refusals import refuse
-from voice import limits_of
+from voice import with_limits
 
 MANY = ("batch", "systems", "simulation", "history", "api")  # folders whose functions are not those of one row
 WITH_MEMBERS = ("pw85_hard_ellipsoids", "pw85_random_addition")  # objects whose functions are members of their classes
@@ -125,7 +125,7 @@ def brief(function):
 
 def described(function, one):
     """What is said of a parameter, and what it has a row for."""
-    text = "; ".join(filter(None, [in_cpp(one.text), *limits_of(one)]))
+    text = with_limits(in_cpp(one.text), one)
     if not one.rows:
         return text
     counts = next(other for other in function.flattened if other.name == one.rows)

@@ -37,7 +37,7 @@ class Call:
     member of the result."""
 
     def __init__(self, function, types, is_member=False, result=None, out=None):
-        flags = {one.name: "bool" for one in function.parameters if one.is_integer() and one.is_truth()}
+        flags = {one.name: "bool" for one in function.parameters if one.type == "int" and one.is_truth()}
         self.function, self.types, self.is_member, self.result, self.out = function, flags | types, is_member, result, out
         self.declared, self.first, self.marked, self.checked, self.before, self.after = [], [], [], [], [], []
         self.sizes, own = {}, function.parameter_names()

@@ -43,7 +43,7 @@ def camel(name):
 
 def type_of(row, one):
     """The numbers that C writes."""
-    if one.is_integer():
+    if one.type == "int":
         return "u8" if row.takes_rows() and row.is_truth() else "i32"
     return "f64"
 
@@ -115,7 +115,7 @@ def declaration(row):
     name, both = camel(row.name), "Numbers | number"
     said = [*voice(row).head(), *voice(row).notes()]
     for text, (first, *others) in voice(row).grouped(row.inputs):
-        size = f"{MOTION if first.is_motion() else ''}{f' {first.size} numbers.' if first.shape else ''}"
+        size = f"{MOTION if first.type == 'pw85_motion' else ''}{f' {first.size} numbers.' if first.shape else ''}"
         said.append(f"@param {camel(first.name)} {text}{size}")
         said += [f"@param {camel(one.name)} As `{camel(first.name)}`." for one in others]
     yield from comment(with_named_statuses(text).replace("``", "`") for text in said)

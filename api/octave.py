@@ -79,7 +79,7 @@ def operands(question, attribute):
 
 def described_items(question):
     for names, one, text, columns in operands(question, "inputs"):
-        motion = f": {MOTION}" if one.is_motion() else "."
+        motion = f": {MOTION}" if one.type == "pw85_motion" else "."
         absent = " Infinite if it is missing." if one.name == "t_max" else ""
         yield item(names, f"{text} {columns}{motion}{absent}")
     if question.ellipsoids:

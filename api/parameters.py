@@ -10,7 +10,7 @@ from collections import namedtuple
 from dataclasses import dataclass, replace
 from math import prod
 
-from attributes import Attributes, parsed, text_behind
+from attributes import ASTRAY, Attributes, parsed
 from causes import PACKED
 from public_headers import of_texts, text_of
 from refusals import line_of, refuse
@@ -31,8 +31,10 @@ Description = namedtuple("Description", "attributes text is_output place")
 
 
 def description(attributes, text, is_output, extents, place):
-    """What a comment says in brackets and behind them."""
-    return Description(parsed(attributes, extents, place), text_behind(text, place), is_output, place)
+    """What a comment says in brackets and behind them; brackets that are open, or stand behind a word, are not read as attributes."""
+    found, plain = parsed(attributes, extents, place), " ".join(text.split())
+    refuse(place, {f"attributes must stand between brackets behind the name: {plain}": ASTRAY.search(plain)})
+    return Description(found, plain, is_output, place)
 
 
 @dataclass
@@ -77,10 +79,6 @@ class Parameter:
     def with_shape(self, shape):
         return replace(self, attributes=replace(self.attributes, shape=shape))
 
-    def has_stated_length(self):
-        """Whether it is a number, or an array whose length the declaration states."""
-        return not self.pointer or self.length is not None
-
     def is_handle(self):
         """Whether it is a pointer to an object that the library owns, or one that the library does not read."""
         return self.pointer and self.type in ("void", *OBJECTS, *CALLBACKS)
@@ -91,12 +89,6 @@ class Parameter:
 
     def is_output(self):
         return self.pointer and not self.const and not self.is_handle()
-
-    def is_motion(self):
-        return self.type == "pw85_motion"
-
-    def is_integer(self):
-        return self.type == "int"
 
     def is_truth(self):
         """Whether it is an integer, or a byte in many rows, that is a truth value."""

@@ -30,6 +30,7 @@ CPP_HEADERS = (
 # What a header of C++ does not offer to users.
 DETAIL = re.compile(r"^namespace (?:pw85::)?detail \{$.*?^\} // namespace (?:pw85::)?detail$", re.MULTILINE | re.DOTALL)
 
+
 def source_text(name):
     """The text of a file of the source, by its name there."""
     return (SOURCE / name).read_text(encoding="utf-8")

@@ -26,7 +26,7 @@ def call_of_row(row, outputs):
     """The call of the function. Where its library keeps no record of refusals, the function of the library pw85 that has the same inputs,
     all of which are declared "as" its own, tells why it is refused."""
     function = row.function
-    inputs = [f"motion(in[{k}])" if one.is_motion() else f"{'' if one.shape else '*'}in[{k}]" for k, one in enumerate(row.inputs)]
+    inputs = [f"motion(in[{k}])" if one.type == "pw85_motion" else f"{'' if one.shape else '*'}in[{k}]" for k, one in enumerate(row.inputs)]
     written = f"{function.name}({', '.join([*['1'] * row.is_of_many(), *inputs, *outputs])})"
     if function.type != "int" or function.header not in SILENT_HEADERS:
         return written
@@ -46,7 +46,7 @@ def body_of_row(row):
     """Statements that compute a row. Integers of C are numbers of Python, NaN on error."""
     if row.is_by_hand():
         return f"return {row.name}(in, out);"
-    integers = [k for k, one in enumerate(row.outputs) if one.is_integer()]
+    integers = [k for k, one in enumerate(row.outputs) if one.type == "int"]
     first, outputs = "*out[0]", [f"&integer{k}" if k in integers else f"out[{k}]" for k in range(len(row.outputs))]
     declared = "".join(f"int integer{k}; " for k in integers)
     stored = "".join(f"number(status, integer{k}, out[{k}]); " for k in integers)
@@ -61,9 +61,9 @@ def body_of_row(row):
 
 def batch(row):
     """The function of many rows; one that is not only of arrays has a function of its own in function.cpp."""
-    if row.many is None or any(one.is_integer() for one in row.outputs):
+    if row.many is None or any(one.type == "int" for one in row.outputs):
         return "nullptr"
-    is_of_arrays = all(one.pointer and not one.is_motion() for one in row.many.parameters[1:])
+    is_of_arrays = all(one.pointer and one.type != "pw85_motion" for one in row.many.parameters[1:])
     return f"batch<{row.many.name}>" if is_of_arrays else row.many.plain
 
 

@@ -84,9 +84,9 @@ def call(row):
     passed, kind = [], "unsigned char" if row.is_truth() else "double"
     for k, one in enumerate(row.inputs):
         text = f"in[{k}] + {one.size} * i" if one.shape else f"in[{k}][i]"
-        passed.append(f"(pw85_motion const *)({text})" if one.is_motion() else text)
-    passed += [f"&integer{k}" if one.is_integer() else f"(double *)out[{k}] + {one.size} * i" for k, one in enumerate(row.outputs)]
-    integers = [k for k, one in enumerate(row.outputs) if one.is_integer()]
+        passed.append(f"(pw85_motion const *)({text})" if one.type == "pw85_motion" else text)
+    passed += [f"&integer{k}" if one.type == "int" else f"(double *)out[{k}] + {one.size} * i" for k, one in enumerate(row.outputs)]
+    integers = [k for k, one in enumerate(row.outputs) if one.type == "int"]
     return ["    for (*row = 0; *row < n; ++*row) {", "        size_t const i = *row;", *(f"        int integer{k};" for k in integers),
             f"        int const status = {row.function.name}({', '.join(passed)});", "        if (status != 0) return status;",
             *(f"        (({kind} *)out[{k}])[i] = ({kind})integer{k};" for k in integers), "    }", "    return 0;"]  # fmt: skip

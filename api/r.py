@@ -76,7 +76,7 @@ def described(question):
     for text, group in voice(question).grouped(question.others):
         one, names = group[0], ", ".join(one.name for one in group)
         size = f" A matrix or data frame with {one.size} columns, or {one.size} numbers for all rows" if one.shape else ""
-        yield names, f"{text}{size}{f': {MOTION}' if one.is_motion() else '.' if one.shape else ''}"
+        yield names, f"{text}{size}{f': {MOTION}' if one.type == 'pw85_motion' else '.' if one.shape else ''}"
 
 
 def value_of(question):

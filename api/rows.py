@@ -82,7 +82,8 @@ def is_of_one_row(function):
     if function.type not in ("int", "double", "void") or not function.inputs or (function.type != "double" and not function.outputs):
         return False
     is_written = all(one.type in ("double", "int") for one in function.outputs)
-    return is_written and all(one.is_motion() or (one.type == "double" and one.has_stated_length()) for one in function.inputs)
+    kinds = {one.type if one.length or not one.pointer else f"{one.type} *" for one in function.inputs}  # lengths must be stated
+    return is_written and kinds <= {"double", "pw85_motion *"}
 
 
 def is_of_many_rows(function):
@@ -97,7 +98,7 @@ def name_of_many(name):
 
 def of_row(one):
     """A parameter with the shape that it has in one row."""
-    return one.with_shape((NUMBERS_OF_MOTION,) if one.is_motion() else one.row_shape)
+    return one.with_shape((NUMBERS_OF_MOTION,) if one.type == "pw85_motion" else one.row_shape)
 
 
 def results(function):

@@ -71,7 +71,7 @@ def loaded(function, one):
     """An input as an argument of the template."""
     if not one.pointer:
         return one.name
-    if one.is_motion():
+    if one.type == "pw85_motion":
         return f"load_motion(*{one.name})"
     if re.fullmatch(r"q\d?|second_moments", one.name):
         return f"load_matrix<{function.dimension}>({one.name})"

@@ -25,9 +25,9 @@ def constant(match):
     return f"``{name.lower()}``" if name == "LAMBDA_ATOL" else f"``Status.{name}``"
 
 
-def limits_of(one):
-    """What is said of the attributes that limit the values of a parameter."""
-    return [limit.said for limit in one.attributes.limits if limit.said]
+def with_limits(text, one):
+    """A text of a parameter, with what is said of the attributes that limit its values."""
+    return "; ".join(filter(None, [text, *(limit.said for limit in one.attributes.limits)]))
 
 
 def with_named_statuses(text):
@@ -71,7 +71,7 @@ class Voice:
 
     def described(self, one):
         """What is said of a parameter in the words of Python, with its limits."""
-        text = "; ".join(filter(None, [OF_C.sub("", one.text.rstrip(".")), *limits_of(one)]))
+        text = with_limits(OF_C.sub("", one.text.rstrip(".")), one)
         return sentence(self.said(text, is_inherited=bool(one.attributes.like)))
 
     def grouped(self, operands):
