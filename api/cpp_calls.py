@@ -7,7 +7,7 @@ be members of one struct of C++, and outputs can be returned. api/classes.py mak
 """
 
 import re
-from collections import namedtuple
+from collections import defaultdict, namedtuple
 from itertools import groupby
 
 from cpp import ENDS, SHORT_NAMES, brief, described, in_cpp, row_type, structs, type_in_cpp
@@ -30,7 +30,7 @@ Declared = namedtuple("Declared", "text is_output name parameter")
 
 class Call:
     """A function of C++, in the parts that its parameters make: statements in their order; `marked` are those if sizes are compared, and
-    `checked` are pairs of arrays of as many rows.
+    `checked` are the arrays that have as many rows as another one.
 
     `types` are those of parameters of C++, with defaults, or of structs of several parameters. `result` is the type that has the outputs;
     if there is none, the function returns what that of C returns. `out` is a function of C++ that gives a pointer to the numbers of a
@@ -39,7 +39,7 @@ class Call:
     def __init__(self, function, types, is_member=False, result=None, out=None):
         flags = {one.name: "bool" for one in function.parameters if one.type == "int" and one.is_truth()}
         self.function, self.types, self.is_member, self.result, self.out = function, flags | types, is_member, result, out
-        self.declared, self.first, self.marked, self.checked, self.before, self.after = [], [], [], [], [], []
+        self.declared, self.first, self.marked, self.checked, self.before, self.after = [], [], [], defaultdict(list), [], []
         self.sizes, own = {}, function.parameter_names()
         self.members = structs().get((result or "").partition("<")[0], ())  # of the result
         for one in function.parameters:
@@ -105,11 +105,11 @@ class Call:
         self.declare(one, f"{type_in_cpp(one.type)} const &{name}")
         self.before.append(f"{one.type} const {name}_in_c = detail::in_c({name});")
         if one.type == "pw85_pair_list":
-            self.checked.append(("list.pairs", "detail::optional(list.images)"))
+            self.checked["list.pairs"].append("detail::optional(list.images)")
         if one.type == "pw85_system":
             read = {member.name for member in self.function.members_read(one)}
             first, other = (f"{name}.{member}" for member in sorted(("centers", "q"), key=lambda member: member not in read))
-            self.checked.append((first, other if {"centers", "q"} <= read else f"detail::optional({other})"))
+            self.checked[first].append(other if {"centers", "q"} <= read else f"detail::optional({other})")
         return f"&{name}_in_c"
 
     def rows(self, one):
@@ -118,7 +118,7 @@ class Call:
         default = " = {}" if one.nullable and not is_first_output else ""
         place = self.declare_or_find(one, f"{SHORT_NAMES.get(written, written)} {one.name}{default}")
         if place != self.sizes[one.rows]:
-            self.checked.append((self.sizes[one.rows], place))
+            self.checked[self.sizes[one.rows]].append(place)
         return f"{place}.data()" if one.type in ("pw85_wall", "pw85_field") else f"detail::in_c({place})"
 
     def row(self, one):
@@ -183,10 +183,7 @@ class Call:
 
     def check(self, indent):
         """The statement that compares the sizes of arrays."""
-        groups = {}
-        for size, place in self.checked:
-            groups.setdefault(size, []).append(place)
-        calls = [f"detail::have_rows({size}.size(), {', '.join(places)})" for size, places in groups.items()]
+        calls = [f"detail::have_rows({size}.size(), {', '.join(places)})" for size, places in self.checked.items()]
         whole = f"!{calls[0]}" if len(calls) == 1 else f"!({' && '.join(calls)})"
         lines = wrapped(f"if ({whole}) return\0StatusCode::invalid_argument;", 100 - len(indent), rest="    ")
         return [line.replace("\0", " ") for line in lines]

@@ -49,13 +49,11 @@ def worker(function):
 
 def checked_arguments(function, places):
     """The arguments for the check, with the members of structs that must not be null. The functions check cells by themselves."""
-    listed = []
     for one in function.parameters:
-        listed.append(one)
-        if one.is_struct() and is_reference(one):
-            listed += [member for member in function.members_read(one) if member.pointer and member.name != "cell"]
-    is_read = [one for one in listed if (one.type == "double" and not one.is_output()) or (one.pointer and not one.nullable)]
-    return [described(one, places) for one in is_read]
+        inner = function.members_read(one) if one.is_struct() and is_reference(one) else []
+        for checked in (one, *(member for member in inner if member.pointer and member.name != "cell")):
+            if (checked.type == "double" and not checked.is_output()) or (checked.pointer and not checked.nullable):
+                yield described(checked, places)
 
 
 def shim(function):
