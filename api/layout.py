@@ -8,8 +8,6 @@ from public_headers import text_of
 from refusals import line_of, refuse
 
 WIDTH = 100  # of C, C++, Fortran and Rust
-
-
 # Markdown takes a line that begins with such a sign and a blank for an item of a list.
 SIGN = re.compile(r"(?<=\S) (?=[-+*] )")
 
