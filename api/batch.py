@@ -21,7 +21,7 @@ from itertools import groupby
 
 from declarations import c_functions, functions
 from layout import WIDTH, arguments, renewed, wrapped
-from public_headers import ONE_ROW, source_text
+from public_headers import ONE_ROW, source_text, text_of
 from refusals import line_of, refuse
 from rows import name_of_many
 from shims import FILES, FOLDER, HEAD, SOURCES, questions
@@ -191,4 +191,5 @@ def files():
         question = questions()[statement.function.name]
         name = f"{question}_{'lanes' if statement.function.plain in LANES else 'rows'}"
         listed.setdefault(name, (FILES[question], []))[1].append(statement)
-    return {f"{FOLDER}/{name}.cpp": many_rows_file(*own) for name, own in listed.items()}
+    made = {f"{FOLDER}/{name}.cpp": many_rows_file(*own) for name, own in listed.items()}
+    return made | {f"include/{HEADER}": text_of(HEADER)}

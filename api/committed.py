@@ -30,14 +30,10 @@ PROGRAMS = (fortran, batch, shims, objects, symbols, linked, classes, rare, r, o
 
 def files():
     """The texts of all of them by their paths, and the list for diffs and reviews of those that are made as a whole."""
-    header = batch.header()
-    replace({batch.HEADER: header})  # from which the others follow
+    replace({batch.HEADER: batch.header()})  # from which the others follow
     for function in functions(*EVERY_HEADER):
         _ = function.flattened, function.is_nan_on_error()  # also where no program needs all attributes
-    made = {f"include/{batch.HEADER}": header}
-    for program in PROGRAMS:
-        made |= program.files()  # their texts by their names in the source
-    made = {SOURCE / name: text for name, text in made.items()}
+    made = {SOURCE / name: text for program in PROGRAMS for name, text in program.files().items()}
     marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made) if PART.search(made[path]) is None)
     return made | {SOURCE / ".gitattributes": "# Made by api/committed.py, as all files in this list.\n" + "".join(marks)}
 

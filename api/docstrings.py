@@ -54,8 +54,7 @@ def in_place(made, given, place):
 
 
 def arguments_of(row, signature, voice, given):
-    optional = {one.name for one, argument in zip(row.inputs, signature.inputs) if argument.default is not None}
-    made = []
+    made, optional = [], {one.name for one, argument in zip(row.inputs, signature.inputs) if argument.default is not None}
     for text, group in voice.grouped(row.inputs):
         names = ", ".join(voice.arguments[one.name] for one in group)
         made.append(entry(f"{names} : {rows_of(group[0].shape)} array_like{', optional' * (group[0].name in optional)}", text))

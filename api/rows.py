@@ -39,10 +39,8 @@ class RowFunction:
     @property
     def name(self):
         """In the compiled part of the package."""
-        if self.is_by_hand():
-            return ONE_OF_MANY[self.function.name]
-        name = self.function.name.removeprefix("pw85_").removesuffix("_batch").replace("legacy__", "legacy_")
-        return name.removeprefix("_")
+        plain = self.function.plain.removesuffix("_batch").replace("legacy__", "legacy_").removeprefix("_")
+        return ONE_OF_MANY.get(self.function.name, plain)
 
     def is_by_hand(self):
         """Whether the compiled part has a function for it that is not made of the declaration."""
