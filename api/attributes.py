@@ -51,8 +51,6 @@ ASTRAY = re.compile(r"^\[|\[(?:as pw85|number of|n×|\d+×|length|optional|defin
 
 @dataclass
 class Attributes:
-    """The attributes of a parameter."""
-
     like: str = ""  # the function of the parameter with the same attributes
     rows: str = ""  # what the rows are that it counts: "pairs"
     shape: tuple = ()
@@ -66,7 +64,6 @@ class Attributes:
 
     @property
     def limits(self):
-        """The limits of values, in their order."""
         return [limit for word, limit in LIMITS.items() if word in self.words]
 
     def merged(self, other):
@@ -118,10 +115,3 @@ def parsed(text, extents, place):
     words = frozenset(name for name, said in found.items() if name == said)
     values = {name: PARTS.get(name, str)(said) for name, said in found.items() if name not in words}
     return Attributes(words=words, **values)
-
-
-def text_behind(text, place):
-    """The text behind the brackets; brackets that are open, or stand behind a word, are not read as attributes."""
-    plain = " ".join(text.split())
-    refuse(place, {f"attributes must stand between brackets behind the name: {plain}": ASTRAY.search(plain)})
-    return plain

@@ -21,18 +21,18 @@ from itertools import groupby
 
 from declarations import c_functions, functions
 from layout import WIDTH, arguments, renewed, wrapped
-from public_headers import INCLUDE, ONE_ROW, SOURCE, text_of
+from public_headers import ONE_ROW, source_text, text_of
 from refusals import line_of, refuse
-from rows import TRUTHS, name_of_many
+from rows import name_of_many
 from shims import FILES, FOLDER, HEAD, SOURCES, questions
 
-HEADER, TEXTS = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.txt"
+HEADER, TEXTS = "pw85_batch.h", "pw85_batch.txt"
 WITHOUT = ("pw85_ellipsoid", "pw85_contains_2d", "pw85_containment_2d")
 SAID = re.compile(r"^(?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<parameters>(?:    .*\n)*)", re.MULTILINE)
 PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions", "start": "starts"}  # of inputs
 # What there is beside ellipsoids, by an input.
-BESIDE = {"offset": "{} and half-spaces", "lower": "{} and boxes", "vertex1": "{} and triangles", "end1": "{} and segments",
-          "axis": "{} and cylinders", "r": "points and {}", "origin": "lines and {}"}  # fmt: skip
+BESIDE = {"offset": "{} and half-spaces", "lower": "{} and boxes", "vertex1": "{} and triangles", "axis": "{} and cylinders",
+          "radius": "{} and capsules", "end1": "{} and segments", "r": "points and {}", "origin": "lines and {}"}  # fmt: skip
 
 # The kernels of functions of many rows that have lanes: the header of the question in src/simd/lanes/, the
 # arrays, whose members are the parameters that the rows do not have, and the rows, if they are not those of pairs.
@@ -64,7 +64,7 @@ LANES |= {f"overlap_{name}": ("shapes", "OverlapArray", rows) for name, rows in 
 def has_rows(function):
     """Whether there is a function of many rows: each parameter is a number or an array of stated length, and an input is an array."""
     is_known = all(one.type in ("double", "int", "pw85_motion") and not one.rows for one in function.parameters)
-    return function.type == "int" and "__" not in function.name and is_known and any(one.length for one in function.inputs)
+    return function.type == "int" and is_known and any(one.length for one in function.inputs)
 
 
 def rows_of(function):
@@ -92,19 +92,14 @@ class Statement:
         self.said, names = {}, [name for one in function.parameters for name in names_of(one)]
         for line in said["parameters"].splitlines():
             name, _, text = line.strip().partition(": ")
-            place = line_of(TEXTS.name, said.string, said.string.index(line, said.start()))
+            place = line_of(TEXTS, said.string, said.string.index(line, said.start()))
             is_wrong = name not in names or name in self.said or not text.startswith("[")
             refuse(place, {f"{self.name}() has no parameter {name}, or it is described twice, or without brackets": is_wrong})
             self.said[name] = text
 
-    def arguments(self):
-        """The parameters of one row, each with those of the made header that stand for it."""
-        many = {one.name: one for one in c_functions()[self.name].parameters}
-        return [(one, [many[name] for name in names_of(one)]) for one in self.function.parameters]
-
     def made(self, one, name):
         """The parameter of many rows that stands for one of one row: its declaration, and tag, name, attributes and text of its comment."""
-        is_truth = one.is_output() and one.type == "int" and one.name in TRUTHS
+        is_truth = one.is_output() and one.is_truth()
         is_optional = one.is_output() and (one.nullable or len(one.members()) > 1)
         extents = "×".join(["n", *(map(str, one.shape) if len(names_of(one)) == 1 else ())])
         limits = [limit.attribute for limit in one.attributes.limits]
@@ -133,20 +128,19 @@ class Statement:
 
 def statements():
     """Those of all functions, in the order of the headers."""
-    text, found, end = TEXTS.read_text(encoding="utf-8"), {}, 0
+    text, found, end = source_text(f"api/{TEXTS}"), {}, 0
     known = {one.name: one for one in functions(*ONE_ROW) if has_rows(one) and one.name not in WITHOUT}
     for said in SAID.finditer(text):
         is_wrong = said["name"] not in known or said["name"] in found
-        refuse(line_of(TEXTS.name, text, end), {"not understood": said.start() != end,
+        refuse(line_of(TEXTS, text, end), {"not understood": said.start() != end,
                f"no function {said['name']}() of one row, or it is named twice": is_wrong})  # fmt: skip
         found[said["name"]], end = said, said.end()
-    refuse(line_of(TEXTS.name, text, end), {"not understood": end != len(text)})
+    refuse(line_of(TEXTS, text, end), {"not understood": end != len(text)})
     return [Statement(one, found.get(name)) for name, one in known.items()]
 
 
 def header():
-    """The text of the header."""
-    return renewed(HEADER.name, text_of(HEADER.name), {"rows": lambda *_: "\n".join(one.declaration() for one in statements())})
+    return renewed(HEADER, {"rows": lambda *_: "\n".join(one.declaration() for one in statements())})
 
 
 def row_argument(one, many):
@@ -166,16 +160,16 @@ def kernel_of(function):
 
 
 def of_many_rows(statement):
-    listed = statement.arguments()
+    many = {one.name: one for one in c_functions()[statement.name].parameters}
+    listed = [(one, [many[name] for name in names_of(one)]) for one in statement.function.parameters]
     if statement.function.plain in LANES:
         _, rows, arrays = kernel_of(statement.function)
-        own = [one for _, many in listed for one in many]
-        others = ", ".join(one.name for one in own if one.name not in re.findall(r"\w+", rows))
-        names = [one.name for one in own if one.pointer and not one.nullable]
+        others = ", ".join(name for name in many if name not in ("n", *re.findall(r"\w+", rows)))
+        names = [one.name for one in many.values() if one.pointer and not one.nullable]
         begin, passed = "    return compute_rows(", [rows, f"{arrays}{{{others}}}", *names]
     else:
-        names = [many[0].name for _, many in listed]
-        begin, passed = "    return each_row(", [statement.function.name, *(row_argument(one, many) for one, many in listed)]
+        names = [first.name for _, (first, *_) in listed]
+        begin, passed = "    return each_row(", [statement.function.name, *(row_argument(one, own) for one, own in listed)]
     head = arguments(f"int {statement.name}(", c_functions()[statement.name].written, ")")
     table = arguments("    static constexpr char const *names[] = {", [f'"{one}"' for one in [statement.name, *names]], "};")
     return f"\n{head}\n{{\n{table}\n{arguments(begin, ['names', 'n', *passed], ');')}\n}}\n"
@@ -192,10 +186,10 @@ def many_rows_file(title, listed):
 
 
 def files():
-    """The texts of the files of src/c_api/ by their paths."""
     listed = {}
     for statement in statements():
         question = questions()[statement.function.name]
         name = f"{question}_{'lanes' if statement.function.plain in LANES else 'rows'}"
         listed.setdefault(name, (FILES[question], []))[1].append(statement)
-    return {FOLDER / f"{name}.cpp": many_rows_file(*own) for name, own in listed.items()}
+    made = {f"{FOLDER}/{name}.cpp": many_rows_file(*own) for name, own in listed.items()}
+    return made | {f"include/{HEADER}": text_of(HEADER)}

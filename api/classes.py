@@ -17,8 +17,8 @@ from cpp import by_hand, is_member, is_of_list, is_of_rows, name_in_cpp, structs
 from cpp_calls import Call
 from declarations import c_functions, functions, sections
 from layout import arguments, renewed
-from public_headers import CPP_HEADERS, INCLUDE, SYSTEMS
-from refusals import Refused, refuse
+from public_headers import CPP_HEADERS, SYSTEMS, text_of
+from refusals import refuse
 
 # The names of members that are not those of C, and functions whose call with null is a member that is written by hand.
 NAMES = {"pw85_hard_ellipsoids_try": "try_placement"}
@@ -48,12 +48,7 @@ RESULTS = {
 
 
 def called(text):
-    """The functions of C that a text calls."""
     return set(re.findall(r"\bpw85_\w+(?=[(,])", re.sub(r"//.*", "", text)))
-
-
-def called_by_hand():
-    return {name for header in CPP_HEADERS for name in called(by_hand(INCLUDE / header))} - {*OVERLOADED}
 
 
 def call_of(function):
@@ -73,7 +68,6 @@ def functions_of(place, said):
 
 
 def members_of(place, said):
-    """The functions on an object as members of its class."""
     made = [one for one in made_alone(functions(*SYSTEMS)) if is_member(one) and one.parameters[0].type == said]
     refuse(place, {f"no object has members: {said}": not made})
     return "\n".join(call_of(one).text(NAMES.get(one.name, one.name.removeprefix(f"{said}_")), "    ") for one in made)
@@ -81,39 +75,34 @@ def members_of(place, said):
 
 def made_alone(listed):
     """Those of some functions that are made, and have a status or a size."""
-    return [one for one in listed if one.type in ("int", "size_t") and one.name not in called_by_hand()]
+    by_hands = {name for header in CPP_HEADERS for name in called(by_hand(header))} - {*OVERLOADED}
+    return [one for one in listed if one.type in ("int", "size_t") and one.name not in by_hands]
 
 
-def rows_of(place, said, is_of_kind=is_of_rows, caller="call_rows"):
+def rows_of(place, said):
     """The functions of a header that pass all arrays to detail::call_rows() or call_pairs(), which compare sizes, by its sections."""
     texts = []
     for section in sections(said):
-        listed = [call_of_all(one, caller) for one in section.functions if is_of_kind(one)]
+        listed = [call_of_all(one) for one in section.functions if is_of_rows(one) or is_of_list(one)]
         texts += [f"/// @name {section.title}\n/// @{{\n", *listed, "/// @}\n"] if listed else []
     return "\n".join(texts)
 
 
-def pairs_of(place, said):
-    return rows_of(place, said, is_of_list, "call_pairs")
-
-
-def call_of_all(function, caller):
-    call = call_of(function)
+def call_of_all(function):
+    call, caller = call_of(function), "call_pairs" if is_of_list(function) else "call_rows"
     places = [call.place(one) for one in function.parameters if one.name != "n"]
     body = arguments(f"    return detail::{caller}(", [function.name, *places], ");").removeprefix("    ").split("\n    ")
     return call.text(name_in_cpp(function), body=body)
 
 
-MAKERS = {"rows": rows_of, "pairs": pairs_of, "functions": functions_of, "members": members_of}
+MAKERS = {"rows": rows_of, "pairs": rows_of, "functions": functions_of, "members": members_of}
 
 
 def files():
-    """The texts of the headers that have made parts by their paths. Each function on systems and objects is in one of them."""
+    """The headers that have made parts. Each function on systems and objects is in one of them."""
     refuse("api/classes.py", {f"no function {name}()": name not in c_functions() for name in (*NAMES, *OVERLOADED, *TYPES, *RESULTS)})
-    texts = {INCLUDE / name: (INCLUDE / name).read_text(encoding="utf-8") for name in CPP_HEADERS}
-    made = {path: renewed(path.name, text, MAKERS) for path, text in texts.items() if "api/committed.py:" in text}
-    known = {name for text in (*made.values(), *map(by_hand, texts)) for name in called(text)}
+    made = {f"include/{name}": renewed(name, MAKERS) for name in CPP_HEADERS if "api/committed.py:" in text_of(name)}
+    known = {name for text in (*made.values(), *map(by_hand, CPP_HEADERS)) for name in called(text)}
     for one in functions(*SYSTEMS):
-        if one.name not in known:
-            raise Refused(f"{one.place}: in no made part of a header of C++")
+        refuse(one.place, {"in no made part of a header of C++": one.name not in known})
     return made

@@ -30,11 +30,10 @@ PROGRAMS = (fortran, batch, shims, objects, symbols, linked, classes, rare, r, o
 
 def files():
     """The texts of all of them by their paths, and the list for diffs and reviews of those that are made as a whole."""
-    header = batch.header()
-    replace({"pw85_batch.h": header})  # from which the others follow
+    replace({batch.HEADER: batch.header()})  # from which the others follow
     for function in functions(*EVERY_HEADER):
         _ = function.flattened, function.is_nan_on_error()  # also where no program needs all attributes
-    made = {batch.HEADER: header} | {path: text for program in PROGRAMS for path, text in program.files().items()}
+    made = {SOURCE / name: text for program in PROGRAMS for name, text in program.files().items()}
     marks = (f"{path.relative_to(SOURCE)} linguist-generated\n" for path in sorted(made) if PART.search(made[path]) is None)
     return made | {SOURCE / ".gitattributes": "# Made by api/committed.py, as all files in this list.\n" + "".join(marks)}
 
@@ -43,7 +42,7 @@ def main(check=None):
     if check not in (None, "check"):
         sys.exit(f"{check}: the only option is check")
     made = files()
-    marked = [path for path in shims.FOLDER.glob("*.cpp") if shims.MARK in path.read_text(encoding="utf-8")]
+    marked = [path for path in (SOURCE / shims.FOLDER).glob("*.cpp") if shims.MARK in path.read_text(encoding="utf-8")]
     different = [path.relative_to(SOURCE) for path in marked if check and path not in made]
     for path, text in made.items():
         if check and (not path.exists() or path.read_text(encoding="utf-8") != text):

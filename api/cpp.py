@@ -6,27 +6,16 @@ from functools import cache
 from math import prod
 
 from declarations import CPP, c_functions
-from layout import PART
-from public_headers import CPP_HEADERS, DETAIL, INCLUDE, SYSTEMS, statuses
+from layout import PART, camel
+from public_headers import CPP_HEADERS, DETAIL, SYSTEMS, headers_in_folders, statuses, text_of
 from refusals import refuse
-from voice import limits_of
+from voice import with_limits
 
-FOLDER = INCLUDE / "pw85"
 MANY = ("batch", "systems", "simulation", "history", "api")  # folders whose functions are not those of one row
-CLASSES = {"pw85_neighbors": "Neighbors", "pw85_mesh": "Mesh", "pw85_hard_ellipsoids": "HardEllipsoids",
-           "pw85_random_addition": "RandomAddition"}  # fmt: skip
 WITH_MEMBERS = ("pw85_hard_ellipsoids", "pw85_random_addition")  # objects whose functions are members of their classes
-STRUCTS = {"pw85_pair_list": "PairList", "pw85_system": "Particles", "pw85_law": "Law"}
-NUMBERS = {"size_t": "std::size_t", "int32_t": "std::int32_t", "int64_t": "std::int64_t"}
-# What the rows of an array of double are, by their extents: in space, and in the plane.
-ELEMENTS = {
-    3: {(): "double", (3,): "Vector<double, 3>", (6,): "SymmetricMatrix<double, 3>", (4,): "Vector<double, 4>",
-        (3, 3): "Factor<double, 3>"},
-    2: {(): "double", (2,): "Vector<double, 2>", (3,): "SymmetricMatrix<double, 2>"},
-}  # fmt: skip
-ELEMENTS_OF_OTHERS = {
-    ("int32_t", 2): "IndexPair", ("pw85_motion", 1): "Motion<double, 3>", ("pw85_wall", 1): "Wall", ("pw85_field", 1): "Field",
-}  # fmt: skip
+# Types whose names do not follow from those of C.
+TYPES = {"size_t": "std::size_t", "int32_t": "std::int32_t", "int64_t": "std::int64_t", "pw85_system": "Particles",
+         "pw85_motion": "Motion<double, 3>"}  # fmt: skip
 SHORT_NAMES = {
     "std::span<Vector<double, 3> const>": "Vectors",
     "std::span<SymmetricMatrix<double, 3> const>": "Forms",
@@ -35,6 +24,7 @@ SHORT_NAMES = {
 }
 STRUCT = re.compile(r"^(?:template <[^>]*> )?struct (\w+) \{\n(.*?)^\};", re.MULTILINE | re.DOTALL)
 MEMBERS = re.compile(r"^    (?!static |using )[\w:, ]+? \**(\w+(?:, \w+)*);", re.MULTILINE)
+# Behind a value, what points to its numbers; .data() behind others.
 ENDS = {"Cell": ".front().coordinates", "Vector": ".coordinates", "SymmetricMatrix": ".entries", "Factor": ".entries"}
 
 
@@ -62,15 +52,15 @@ def is_member(function):
 
 
 @cache
-def by_hand(path):
+def by_hand(header):
     """The text of a header without what is made."""
-    return PART.sub("", path.read_text(encoding="utf-8"))
+    return PART.sub("", text_of(header))
 
 
 @cache
 def names_in_cpp():
     """The functions of C that C++ has, too, and their names there."""
-    known = {match["name"] for name in CPP_HEADERS for match in CPP.finditer(by_hand(INCLUDE / name))}
+    known = {match["name"] for name in CPP_HEADERS for match in CPP.finditer(by_hand(name))}
 
     def is_in_cpp(one):
         is_of_systems = one.header in SYSTEMS and one.type == "int" and not is_member(one)
@@ -81,15 +71,15 @@ def names_in_cpp():
 
 @cache
 def texts():
-    """The headers in folders, without comments, details and what is made, by their paths."""
-    return {path: re.sub(r"//.*", "", DETAIL.sub("", by_hand(path))) for path in sorted(FOLDER.glob("*/*.hpp"))}
+    """The headers in folders, without comments, details and what is made, by their names."""
+    return {header: re.sub(r"//.*", "", DETAIL.sub("", by_hand(header))) for header in headers_in_folders()}
 
 
 @cache
 def homes(name):
     """The headers that define a function of namespace pw85 for one row."""
     form = re.compile(rf"\b{name}\([^;{{}}]*\)\s*noexcept\s*\{{")
-    return [path.relative_to(INCLUDE) for path, text in texts().items() if path.parent.name not in MANY and form.search(text)]
+    return [header for header, text in texts().items() if header.split("/")[1] not in MANY and form.search(text)]
 
 
 @cache
@@ -103,19 +93,21 @@ def structs():
     return found
 
 
+def type_in_cpp(kind):
+    return TYPES.get(kind) or (camel(kind.removeprefix("pw85_")) if kind.startswith("pw85_") else kind)
+
+
 def row_type(function, one):
     """The type of a row, or of an array of one row."""
-    extents = one.shape[bool(one.rows) :]
+    extents, n = one.row_shape, function.dimension
     if one.type == "double":
-        cell = {(3, 3): "Cell"} if function.header in ("pw85_systems.h", "pw85_simulation_addition.h") else {}
-        return (ELEMENTS[function.dimension] | cell).get(extents) or f"std::array<double, {prod(extents)}>"
-    name = NUMBERS.get(one.type, one.type)
-    return ELEMENTS_OF_OTHERS.get((one.type, prod(extents))) or (f"std::array<{name}, {prod(extents)}>" if extents else name)
-
-
-def address(kind, name):
-    """The pointer to the numbers of one row."""
-    return name + ENDS.get(kind.split("<")[0], ".data()")
+        is_cell = function.header in ("pw85_systems.h", "pw85_simulation_addition.h")
+        known = {(): "double", (n,): f"Vector<double, {n}>", (n * (n + 1) // 2,): f"SymmetricMatrix<double, {n}>",
+                 (4,): "Vector<double, 4>", (3, 3): "Cell" if is_cell else "Factor<double, 3>"}  # fmt: skip
+        return known.get(extents) or f"std::array<double, {prod(extents)}>"
+    if one.type == "int32_t" and extents == (2,):
+        return "IndexPair"
+    return f"std::array<{type_in_cpp(one.type)}, {prod(extents)}>" if extents else type_in_cpp(one.type)
 
 
 def in_cpp(text):
@@ -133,7 +125,7 @@ def brief(function):
 
 def described(function, one):
     """What is said of a parameter, and what it has a row for."""
-    text = "; ".join(filter(None, [in_cpp(one.text), *limits_of(one)]))
+    text = with_limits(in_cpp(one.text), one)
     if not one.rows:
         return text
     counts = next(other for other in function.flattened if other.name == one.rows)

@@ -7,15 +7,15 @@ be members of one struct of C++, and outputs can be returned. api/classes.py mak
 """
 
 import re
-from collections import namedtuple
+from collections import defaultdict, namedtuple
 from itertools import groupby
 
-from cpp import CLASSES, NUMBERS, SHORT_NAMES, STRUCTS, address, brief, described, in_cpp, row_type, structs
+from cpp import ENDS, SHORT_NAMES, brief, described, in_cpp, row_type, structs, type_in_cpp
 from layout import arguments, wrapped
+from parameters import OBJECTS
 from refusals import refuse
 
 NAMES = {"system": "particles"}  # of parameters in C++
-FLAGS = ("contains", "is_free", "overlap", "take")  # integers of C that are truth values
 EXTENTS = {"num_pairs": "list.pairs", "num_particles": "particles.centers"}  # of members of structs
 VALUES = {"NaN": "detail::quiet_nan<double>()", "num_particles": "particles.centers.size()"}
 TEXTS = {
@@ -30,16 +30,16 @@ Declared = namedtuple("Declared", "text is_output name parameter")
 
 class Call:
     """A function of C++, in the parts that its parameters make: statements in their order; `marked` are those if sizes are compared, and
-    `checked` are pairs of arrays of as many rows.
+    `checked` are the arrays that have as many rows as another one.
 
     `types` are those of parameters of C++, with defaults, or of structs of several parameters. `result` is the type that has the outputs;
     if there is none, the function returns what that of C returns. `out` is a function of C++ that gives a pointer to the numbers of a
     member of the result."""
 
     def __init__(self, function, types, is_member=False, result=None, out=None):
-        flags = {one.name: "bool" for one in function.parameters if one.type == "int" and one.name in FLAGS}
+        flags = {one.name: "bool" for one in function.parameters if one.type == "int" and one.is_truth()}
         self.function, self.types, self.is_member, self.result, self.out = function, flags | types, is_member, result, out
-        self.declared, self.first, self.marked, self.checked, self.before, self.after = [], [], [], [], [], []
+        self.declared, self.first, self.marked, self.checked, self.before, self.after = [], [], [], defaultdict(list), [], []
         self.sizes, own = {}, function.parameter_names()
         self.members = structs().get((result or "").partition("<")[0], ())  # of the result
         for one in function.parameters:
@@ -49,7 +49,7 @@ class Call:
 
     def argument(self, one):
         """What is passed for a parameter, which it declares."""
-        if one.type in CLASSES:
+        if one.type in OBJECTS:
             return self.object(one)
         if one.is_struct():
             return self.struct(one)
@@ -89,7 +89,7 @@ class Call:
         return place
 
     def object(self, one):
-        kind = CLASSES[one.type]
+        kind = type_in_cpp(one.type)
         if self.is_member:
             return "get()"
         self.declare(one, f"{kind} {'' if one.outer else 'const '}&{one.name}")
@@ -102,14 +102,14 @@ class Call:
 
     def struct(self, one):
         name = NAMES.get(one.name, one.name)
-        self.declare(one, f"{STRUCTS[one.type]} const &{name}")
+        self.declare(one, f"{type_in_cpp(one.type)} const &{name}")
         self.before.append(f"{one.type} const {name}_in_c = detail::in_c({name});")
         if one.type == "pw85_pair_list":
-            self.checked.append(("list.pairs", "detail::optional(list.images)"))
+            self.checked["list.pairs"].append("detail::optional(list.images)")
         if one.type == "pw85_system":
             read = {member.name for member in self.function.members_read(one)}
             first, other = (f"{name}.{member}" for member in sorted(("centers", "q"), key=lambda member: member not in read))
-            self.checked.append((first, other if {"centers", "q"} <= read else f"detail::optional({other})"))
+            self.checked[first].append(other if {"centers", "q"} <= read else f"detail::optional({other})")
         return f"&{name}_in_c"
 
     def rows(self, one):
@@ -118,7 +118,7 @@ class Call:
         default = " = {}" if one.nullable and not is_first_output else ""
         place = self.declare_or_find(one, f"{SHORT_NAMES.get(written, written)} {one.name}{default}")
         if place != self.sizes[one.rows]:
-            self.checked.append((self.sizes[one.rows], place))
+            self.checked[self.sizes[one.rows]].append(place)
         return f"{place}.data()" if one.type in ("pw85_wall", "pw85_field") else f"detail::in_c({place})"
 
     def row(self, one):
@@ -144,7 +144,7 @@ class Call:
         if one.type == "pw85_motion":
             self.before.append(f"pw85_motion const {one.name}_in_c = detail::in_c({place});")
             return f"&{one.name}_in_c"
-        return address(row, place) if one.shape else f"&{place}"
+        return place + ENDS.get(row.split("<")[0], ".data()") if one.shape else f"&{place}"
 
     def split(self, one):
         """An output whose numbers are members of the result."""
@@ -164,8 +164,7 @@ class Call:
 
     def mark(self, one):
         """The statement that marks an output before sizes are compared."""
-        value = one.attributes.on_error or ("NaN" if one.type == "double" else "")
-        if value:
+        if value := one.value_on_error():
             values = ", ".join([VALUES.get(value, value)] * one.size)
             self.marked.append(f"{one.name} = {{{values}}};" if one.shape else f"{one.name} = {values};")
 
@@ -177,20 +176,17 @@ class Call:
         return one.name if names else f"&{one.name}"
 
     def number(self, one):
-        plain_type = NUMBERS.get(one.type, one.type)
+        plain_type = type_in_cpp(one.type)
         kind, equals, default = self.types.get(one.name, plain_type).partition(" = ")
         place = self.declare_or_find(one, f"{kind} {one.name}{equals}{default}")
         return place if kind == plain_type else f"static_cast<{one.type}>({place})"
 
     def check(self, indent):
         """The statement that compares the sizes of arrays."""
-        groups = {}
-        for size, place in self.checked:
-            groups.setdefault(size, []).append(place)
-        calls = [f"detail::have_rows({size}.size(), {', '.join(places)})" for size, places in groups.items()]
+        calls = [f"detail::have_rows({size}.size(), {', '.join(places)})" for size, places in self.checked.items()]
         whole = f"!{calls[0]}" if len(calls) == 1 else f"!({' && '.join(calls)})"
         lines = wrapped(f"if ({whole}) return\0StatusCode::invalid_argument;", 100 - len(indent), rest="    ")
-        yield from (line.replace("\0", " ") for line in lines)
+        return [line.replace("\0", " ") for line in lines]
 
     def body(self, indent):
         yield from self.first
@@ -237,7 +233,7 @@ class Call:
 
     def text(self, name, indent="", body=None, head="static inline", comment=()):
         """The definition; `body` stands for the statements of the call."""
-        kind = self.result or ("StatusCode" if self.function.type == "int" else NUMBERS[self.function.type])
+        kind = self.result or ("StatusCode" if self.function.type == "int" else type_in_cpp(self.function.type))
         is_const = " const" if self.is_member and self.function.parameters[0].const else ""
         head = "[[gnu::always_inline]]" if self.is_member else head
         mark, inner = f"{indent}/// ", f"{indent}    "

@@ -14,7 +14,7 @@ from functools import cached_property
 
 from parameters import STRUCTS, Description, counts_of, description, members, parameter, with_counts
 from public_headers import C_HEADERS, PARTS, macros, of_texts, text_of
-from refusals import Refused, line_of, refuse
+from refusals import line_of, refuse
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
 C = re.compile(
@@ -52,12 +52,10 @@ class Function:
 
     @property
     def place(self):
-        """File and line, for errors."""
         return f"{self.header}:{self.line}: {self.name}()"
 
     @property
     def plain(self):
-        """Its name without the prefix."""
         return self.name.removeprefix("pw85_")
 
     @property
@@ -70,11 +68,9 @@ class Function:
         return " ".join(self.comment.split())
 
     def brief(self):
-        """The first sentence of the comment."""
         return first_sentence(self.prose).rstrip(".:;")
 
     def references(self):
-        """The names of the functions to which the comment refers."""
         return REFERENCE.findall(self.prose)
 
     def parameter_names(self):
@@ -82,7 +78,6 @@ class Function:
 
     @cached_property
     def parameters(self):
-        """The parameters of a function of C."""
         names = self.parameter_names()
         refuse(self.place, {f"two parameters of one name: {', '.join(names)}": len(set(names)) < len(names)})
         described = ((self.described(name), self.descriptions[name]) for name in names)
@@ -200,7 +195,7 @@ def refuse_unread(header, text, matches, is_c):
         read = {text.rfind("\n", 0, one.start("name")) + 1 for one in matches if one["name"] and one["type"].strip() in RETURNED}
         wrong += [one for one in DECLARATION.finditer(text) if one.start() not in read]
     for one in wrong:
-        raise Refused(f"{line_of(header, text, one.start())}: not understood: {one[0]}")
+        refuse(line_of(header, text, one.start()), {f"not understood: {one[0]}": True})
 
 
 @of_texts
@@ -226,7 +221,6 @@ def functions(*headers):
 
 @of_texts
 def c_functions():
-    """All functions of the C headers by name."""
     found = {}
     for one in functions(*C_HEADERS):
         other = found.setdefault(one.name, one)

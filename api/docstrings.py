@@ -54,9 +54,7 @@ def in_place(made, given, place):
 
 
 def arguments_of(row, signature, voice, given):
-    """The section of parameters."""
-    optional = {one.name for one, argument in zip(row.inputs, signature.inputs) if argument.default is not None}
-    made = []
+    made, optional = [], {one.name for one, argument in zip(row.inputs, signature.inputs) if argument.default is not None}
     for text, group in voice.grouped(row.inputs):
         names = ", ".join(voice.arguments[one.name] for one in group)
         made.append(entry(f"{names} : {rows_of(group[0].shape)} array_like{', optional' * (group[0].name in optional)}", text))
@@ -67,7 +65,6 @@ def arguments_of(row, signature, voice, given):
 
 
 def results_of(row, voice):
-    """The section of results."""
     if row.is_truth():
         yield entry("(...) array of bool, or bool", f"{'True' if row.is_overlap() else 'False'} for an invalid row of an array.")
         return
@@ -80,12 +77,8 @@ def results_of(row, voice):
 def docstring(row, signature, given, voice):
     """The docstring of a Python function. The sections of `given` replace or complete those from the C header."""
     paragraphs, sections = parse(given, row.function.place)
-    raises = voice.raises() and entry("PW85Error", voice.raises())
-    made = {
-        "Returns": "\n".join(results_of(row, voice)),
-        "Raises": raises,
-        "Notes": "\n\n".join(filled(text, WIDTH) for text in voice.notes()),
-    } | sections
+    raises, notes = voice.raises(), "\n\n".join(filled(text, WIDTH) for text in voice.notes())
+    made = {"Returns": "\n".join(results_of(row, voice)), "Raises": raises and entry("PW85Error", raises), "Notes": notes} | sections
     made["Parameters"] = arguments_of(row, signature, voice, sections.get("Parameters", ""))
     listed = (f"{title}\n{'-' * len(title)}\n{made[title]}" for title in ORDER if made.get(title))
     return "\n\n".join([*(paragraphs or (filled(text, WIDTH) for text in voice.head())), *listed])

@@ -3,7 +3,7 @@
 
 from refusals import entry_of
 
-# By their names: in three dimensions, and those that are others in two.
+# By their names, in three dimensions.
 VALUES = {
     "r12": [3, 0.5, 0], "q": [9, 0, 0, 4, 0, 1], "q1": [9, 0, 0, 4, 0, 1], "q2": [0.25, 0, 0, 0.25, 0, 0.25], "semi_axes": [3, 2, 1],
     "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "s1": [[3, 0, 0], [0, 2, 0], [0, 0, 1]], "s2": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
@@ -15,7 +15,7 @@ VALUES = {
     "motion2": [-1, 0, 0, 0, 0, 0, 0],
 }  # fmt: skip
 R12 = {"distance": [5, 0.5, 0], "gap": [0.5, 0.25, 0]}  # by the first word of the function
-PLANE = {"q": [9, 0, 4], "q1": [9, 0, 4], "q2": [0.25, 0, 0.25], "second_moments": [9, 0, 4]}
+PLANE = (0, 1, 3)  # the entries of a symmetric matrix that it has in the plane
 
 
 def example_value(function, one, count):
@@ -23,4 +23,6 @@ def example_value(function, one, count):
     name = one.name if one.name in VALUES else one.name.removesuffix("s")
     value = entry_of(VALUES, name, "VALUES of api/examples.py", one.place)
     value = R12.get(function.name.split("_")[1], value) if name == "r12" else value
-    return PLANE.get(name, value[:count]) if count and len(value) != count else value
+    if not count or len(value) == count:
+        return value
+    return [value[k] for k in PLANE] if len(value) == 6 else value[:count]

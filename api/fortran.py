@@ -13,16 +13,22 @@ from itertools import groupby
 from causes import PACKED
 from declarations import functions
 from layout import WIDTH, insert, wrapped
-from parameters import CALLBACKS, STRUCTS
-from public_headers import HOST_HEADERS, SOURCE, constants, version
+from parameters import CALLBACKS, ELEMENTS, STRUCTS
+from public_headers import HOST_HEADERS, SOURCE, constants, source_text, version
 from refusals import entry_of
 
-FORTRAN = SOURCE / "fortran"
-MODULE, TEMPLATE = FORTRAN / "pw85.f90", FORTRAN / "pw85.in.f90"
+MODULE, TEMPLATE = "fortran/pw85.f90", "fortran/pw85.in.f90"
 
 INTEGERS = {"int": "c_int", "size_t": "c_size_t", "int32_t": "c_int32_t", "int64_t": "c_int64_t", "unsigned char": "c_int8_t"}
 TYPES = {"double": "real(c_double)"} | {name: f"integer({kind})" for name, kind in INTEGERS.items()}
-TYPES |= {name: f"type({name})" for name in (*STRUCTS, "pw85_motion", "pw85_wall", "pw85_field")}
+TYPES |= {name: f"type({name})" for name in (*STRUCTS, *ELEMENTS)}
+PROCEDURE = re.compile(
+    r"^(?P<comment>(?: *!> .*\n)+)? *(?P<kind>function|subroutine) (?P<name>pw85\w+)\((?P<arguments>[^)]*)\).*\n"
+    r"(?P<declared>(?:(?: .*)?::.*\n| *import\n)+)",
+    re.MULTILINE,
+)
+# A function or subroutine, as a program of Fortran sees it.
+Procedure = namedtuple("Procedure", "name kind arguments comment declarations")
 
 
 def argument(one, owners):
@@ -64,10 +70,10 @@ def interface(function, template):
         yield from wrapped(f"{function.brief()}.{text}", first="    !> ")
     yield from continued(f"    {kind} {bound}({', '.join(function.parameter_names())}){suffix} bind(C, name='{function.name}')")
     yield "      import"
-    structs = {name: one.name for one in function.parameters if one.is_struct() for name in one.member_names()}
-    owners = {name: owner for name, owner in structs.items() if name not in function.parameter_names()}
+    structs, names = [one for one in function.parameters if one.is_struct()], {*function.parameter_names()}
+    owners = {name: struct.name for struct in structs for name in struct.member_names() - names}
     # Extents come first, because shapes refer to them.
-    extents = [one for one in function.parameters if one.is_struct() or (not one.pointer and (one.type == "size_t" or one.name == "n"))]
+    extents = [*structs, *(one for one in function.parameters if not one.pointer and (one.type == "size_t" or one.name == "n"))]
     sizes_first = (argument(one, owners) for one in sorted(function.parameters, key=lambda one: one not in extents))
     grouped = groupby(sizes_first, lambda one: one[0])
     declared = (f"{attributes} :: {', '.join(name for _, name in group)}" for attributes, group in grouped)
@@ -89,8 +95,7 @@ def constant(name, value):
 
 
 def files():
-    """The text of the module by its path."""
-    template = TEMPLATE.read_text(encoding="utf-8")
+    template = source_text(TEMPLATE)
     numbers = dict(zip(("major", "minor", "patch"), version().split(".")))
     values = {f"PW85_VERSION_{part.upper()}": number for part, number in numbers.items()} | constants()
     made = {
@@ -98,24 +103,12 @@ def files():
         "names": [f"  public :: {function.name.lower()}" for function in functions(*HOST_HEADERS)],
         "interfaces": [line for header in HOST_HEADERS for line in [*interfaces(header, template), ""]][:-1],
     }
-    return {MODULE: insert(TEMPLATE, "  !@", made)}
-
-
-PROCEDURE = re.compile(
-    r"^(?P<comment>(?: *!> .*\n)+)? *(?P<kind>function|subroutine) (?P<name>pw85\w+)\((?P<arguments>[^)]*)\).*\n"
-    r"(?P<declared>(?:(?: .*)?::.*\n| *import\n)+)",
-    re.MULTILINE,
-)
-
-
-# A function or subroutine, as a program of Fortran sees it.
-Procedure = namedtuple("Procedure", "name kind arguments comment declarations")
+    return {MODULE: insert(SOURCE / TEMPLATE, "  !@", made)}
 
 
 def procedures():
-    """The procedures of the module by their names, in the order of the module."""
     found = {}
-    for match in PROCEDURE.finditer(re.sub(r" *&\n *", " ", MODULE.read_text(encoding="utf-8"))):
+    for match in PROCEDURE.finditer(re.sub(r" *&\n *", " ", source_text(MODULE))):
         arguments = [name.strip() for name in match["arguments"].split(",")]
         lines = [line.strip() for line in match["declared"].splitlines() if "::" in line]
         declared = [line for line in lines if set(re.findall(r"\w+", line.split("::")[1])) & set(arguments)]

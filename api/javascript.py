@@ -10,16 +10,15 @@ import re
 from functools import cache
 
 from layout import insert, wrapped
-from public_headers import SOURCE, version
+from public_headers import SOURCE, with_version
 from refusals import run
 from rows import row_functions
 from voice import PlainVoice, with_named_statuses
 
-FOLDER = SOURCE / "js"
-# The questions of each module, by their names in C. A page loads at most 300 kB for ellipsoids, and as much for ellipses.
+# The questions of each module, by their names in C, in order. A page loads at most 300 kB for ellipsoids, and as much for ellipses.
 ASKED = {
-    "pw85": ("ellipsoid", "ellipsoid_quaternion", "contact", "contact_geometry", "overlap", "distance", "overlap_volume", "first_contact"),
-    "plane": ("ellipse", "contact_2d", "contact_geometry_2d", "overlap_2d", "distance_2d", "overlap_area_2d"),
+    "pw85": ("ellipsoid", "ellipsoid_quaternion", "contact", "contact_geometry", "overlap", "overlap_volume", "distance", "first_contact"),
+    "plane": ("ellipse", "overlap_area_2d", "contact_2d", "contact_geometry_2d", "overlap_2d", "distance_2d"),
 }
 OTHERS = ("pw85_last_error", "pw85_strerror")  # functions that js/pw85.js calls beside them
 ARRAYS = {"f64": "Float64Array", "i32": "Int32Array", "u8": "Uint8Array"}
@@ -30,9 +29,8 @@ LICENCE = "// SPDX-License-Identifier: BSD-3-Clause"
 
 @cache
 def asked_of(module):
-    found = {row.name: row for row in row_functions() if row.name in ASKED[module]}
-    assert set(found) == set(ASKED[module]), set(ASKED[module]) - set(found)
-    return list(found.values())
+    known = {row.name: row for row in row_functions()}
+    return [known[name] for name in ASKED[module]]
 
 
 def asked():
@@ -45,27 +43,24 @@ def camel(name):
 
 def type_of(row, one):
     """The numbers that C writes."""
-    if one.is_integer():
+    if one.type == "int":
         return "u8" if row.takes_rows() and row.is_truth() else "i32"
     return "f64"
 
 
 def called(row):
-    """The function of C that is called."""
     return row.many.name if row.takes_rows() else row.function.name
 
 
 def exports(module):
-    """The functions of C in a module."""
     return [*(called(row) for row in asked_of(module)), *OTHERS]
 
 
 def entry(row):
-    """A row of the table."""
     assert row.takes_rows() or not row.is_split(), row.name
     inputs = [{"name": camel(one.name), "cName": one.name, "size": one.size, "isNumber": not one.shape} for one in row.inputs]
     outputs = [
-        {"name": camel(one.name or row.name), "size": one.size, "type": type_of(row, one), "isTruth": one.is_truth(),
+        {"name": camel(one.name), "size": one.size, "type": type_of(row, one), "isTruth": one.is_truth(),
          "shape": bool(one.shape)}
         for one in row.outputs
     ]  # fmt: skip
@@ -79,14 +74,8 @@ def table():
     return "\n".join([*lines, ""])
 
 
-def plain(text):
-    """A text of the headers as it stands in comments."""
-    return with_named_statuses(text).replace("``", "`")
-
-
 @cache
 def voice(row):
-    """What the headers say, in the words of JavaScript."""
     return PlainVoice(row, {one.function.name: camel(one.name) for one in asked()}, {one.name: camel(one.name) for one in row.inputs})
 
 
@@ -100,7 +89,7 @@ def comment(lines):
 
 def names_and(row, kind):
     """The names of the outputs, each with what `kind` says of it."""
-    return {camel(one.name or row.name): kind(one) for one in row.outputs}
+    return {camel(one.name): kind(one) for one in row.outputs}
 
 
 def one_or_object(types, mark=":"):
@@ -126,10 +115,10 @@ def declaration(row):
     name, both = camel(row.name), "Numbers | number"
     said = [*voice(row).head(), *voice(row).notes()]
     for text, (first, *others) in voice(row).grouped(row.inputs):
-        size = f"{MOTION if first.is_motion() else ''}{f' {first.size} numbers.' if first.shape else ''}"
+        size = f"{MOTION if first.type == 'pw85_motion' else ''}{f' {first.size} numbers.' if first.shape else ''}"
         said.append(f"@param {camel(first.name)} {text}{size}")
         said += [f"@param {camel(one.name)} As `{camel(first.name)}`." for one in others]
-    yield from comment(map(plain, said))
+    yield from comment(with_named_statuses(text).replace("``", "`") for text in said)
     yield f"{signature(row)};"
     yield from comment([f"{name}() of many rows: see {{@link Numbers}}."])
     yield f"{name}Rows({parameters_of(row, both)}): {one_or_object(names_and(row, lambda one: ARRAYS[type_of(row, one)]))};"
@@ -140,14 +129,11 @@ def declaration(row):
 def types():
     made = {module: [line for row in asked_of(module) for line in [*declaration(row), ""]][:-1] for module in ASKED}
     made["mark"] = [f"// {MARK}"]
-    return insert(FOLDER / "pw85.in.d.ts", "//@", made)
+    return insert(SOURCE / "js/pw85.in.d.ts", "//@", made)
 
 
 def files():
-    """The texts of all made files by their paths."""
-    package = (FOLDER / "package.in.json").read_text(encoding="utf-8").replace("@version@", version())
-    made = {"questions.js": table(), "pw85.d.ts": types(), "package.json": package}
-    return {FOLDER / path: text for path, text in made.items()}
+    return {"js/questions.js": table(), "js/pw85.d.ts": types(), "js/package.json": with_version("js/package.in.json")}
 
 
 if __name__ == "__main__":

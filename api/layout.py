@@ -4,11 +4,10 @@
 import re
 import textwrap
 
+from public_headers import text_of
 from refusals import line_of, refuse
 
 WIDTH = 100  # of C, C++, Fortran and Rust
-
-
 # Markdown takes a line that begins with such a sign and a blank for an item of a list.
 SIGN = re.compile(r"(?<=\S) (?=[-+*] )")
 
@@ -37,16 +36,21 @@ def arguments(begin, listed, end):
     return text.replace("\0", " ")
 
 
+def camel(name):
+    """The name of a type in C++ and Rust."""
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
 def in_one_line_or_each(begin, listed, end, indent="", width=WIDTH):
     """The lines of a list: one if that fits, or one for each element."""
     line = f"{indent}{begin}{', '.join(listed)}{end}"
     return [line] if len(line) <= width else [indent + begin.rstrip(), *(f"{indent}    {one}," for one in listed), indent + end.lstrip()]
 
 
-def cpp_header(path, text):
+def cpp_header(name, text):
     """A made header of C++: a text, whose first lines are its comment, with what stands around the text of each."""
     comment, _, rest = text.partition("\n\n")
-    guard = "_".join(part.upper() for part in re.split(r"\W", "/".join(path.parts[-2:])))
+    guard = "_".join(part.upper() for part in re.split(r"\W", "/".join(name.split("/")[-2:])))
     guard = f"PW85_{guard.removeprefix('PW85_')}_INCLUDED"
     made = "//\n// Made from the headers by api/committed.py.\n// clang-format off"
     return f"{comment}\n{made}\n#ifndef {guard}\n#define {guard}\n\n{rest}\n#endif\n"
@@ -60,8 +64,9 @@ PART = re.compile(
 )
 
 
-def renewed(name, text, made):
+def renewed(header, made):
     """The text of a header with its made parts. Each is what the function of its word makes of the other words."""
+    text, name = text_of(header), header.rpartition("/")[2]
 
     def part(match):
         place = line_of(name, text, match.start("name"))

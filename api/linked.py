@@ -12,11 +12,10 @@ from cpp import by_hand, structs
 from cpp_calls import Call
 from declarations import c_functions, functions
 from layout import filled, renewed
-from public_headers import INCLUDE
 from refusals import refuse
 from shims import template_of
 
-HEADER, TEMPLATES = INCLUDE / "pw85/linked.hpp", "pw85/pw85.hpp"
+HEADER, TEMPLATES = "pw85/linked.hpp", "pw85/pw85.hpp"
 NOT_GIVEN_OUT = {"Overlap": ("tier",)}
 OTHERS = (
     "Calls with other numbers take the templates, and so do these functions with doubles, of which the C API leaves out a part of the "
@@ -25,34 +24,25 @@ OTHERS = (
 
 
 def result_of(template, dimension):
-    """The type of the result, for doubles."""
     kind = re.search(r"\w+(?:<[^>]*>)?$", template.type)[0]
     return kind.replace("<T", "<double").replace(", D>", f", {dimension}>")
 
 
-def has_all(names, struct):
-    """Whether these are all members of a struct but the status, and of its members that are results (`relative.direction1`)."""
-    found = {}
-    for name in names:
-        first, _, inner = name.partition(".")
-        found.setdefault(first, set()).add(inner)
-    whole = [{*members} - {"status"} for members in structs().values()]
-    is_whole = all(inner == {""} or inner in whole for inner in found.values())
-    return is_whole and {*found} == {*structs()[struct]} - {"status", *NOT_GIVEN_OUT.get(struct, ())}
-
-
 def is_relative(template, function):
-    """Whether a function of C has the dimension and the inputs of a template, and gives out all members of the result. What constant
-    expressions can call is not replaced."""
-    name, outputs = result_of(template, 0).partition("<")[0], function.outputs
-    for one in outputs if name in structs() else ():
-        unknown = sorted({member.partition(".")[0] for member in one.members()} - {*structs()[name]})
-        refuse(one.place, {f"{name} has no member {', '.join(unknown)}": unknown})
+    """Whether a function of C has the dimension and the inputs of a template, and gives out all members of the result but the status,
+    and all of its members that are results (`relative.direction1`). What constant expressions can call is not replaced."""
+    name, given = result_of(template, 0).partition("<")[0], {}
+    for one in function.outputs:
+        for first, _, inner in (member.partition(".") for member in one.members()):
+            refuse(one.place, {f"{name} has no member {first}": first not in structs().get(name, [first])})
+            given.setdefault(first, set()).add(inner)
     fixed = {found for one in template.written for found in re.findall(r"<T, ([23])>", one)}
     if template.type.startswith("constexpr ") or fixed not in (set(), {str(function.dimension)}):
         return False
     refuse(template.place, {f"no struct {name} in the headers of C++": name not in structs()})
-    return len(function.inputs) == len(template.written) and has_all([name for one in outputs for name in one.members()], name)
+    whole = [{""}, *({*members} - {"status"} for members in structs().values())]
+    has_all = {*given} == {*structs()[name]} - {"status", *NOT_GIVEN_OUT.get(name, ())} and all(inner in whole for inner in given.values())
+    return len(function.inputs) == len(template.written) and has_all
 
 
 def relatives():
@@ -83,6 +73,5 @@ def templates_of(place, said):
 
 
 def files():
-    """The text of the header by its path."""
-    text = HEADER.read_text(encoding="utf-8")
-    return {HEADER: renewed(HEADER.name, text, {"functions": functions_of, "templates": templates_of})}
+    makers = {"functions": functions_of, "templates": templates_of}
+    return {f"include/{HEADER}": renewed(HEADER, makers)}

@@ -10,7 +10,7 @@ references in the place of pointers to objects and structs that must not be null
 from declarations import functions
 from layout import arguments, cpp_header
 from parameters import OBJECTS
-from public_headers import SOURCE, SYSTEMS
+from public_headers import SYSTEMS
 from shims import FOLDER, HEAD, by_hand, described
 
 INCLUDES = '#include "../base/checked_call.hpp"\n#include "../base/objects.hpp"'
@@ -31,7 +31,7 @@ namespace pw85::detail {{
 
 
 def is_of_object(function):
-    """Whether a function has a status, and a system or an object of the library, which it makes or on which it works."""
+    """Whether a function has a status, and a system or an object of the library."""
     return function.type == "int" and any(one.type in (*OBJECTS, "pw85_system") for one in function.parameters)
 
 
@@ -47,22 +47,13 @@ def worker(function):
     return arguments(f"int {function.plain}(", listed, ") noexcept;")
 
 
-def marked(one, places):
-    """The statement that fills an output with what it is on error; none if it stays as it is."""
-    value = one.attributes.on_error or ("NaN" if one.type == "double" and one.is_returned() else "")
-    if value and (one.is_output() or one.outer):
-        yield f"    mark({one.name}, {' * '.join(map(str, one.shape)) or 1}, {(MARKS | places).get(value, value)});"
-
-
 def checked_arguments(function, places):
     """The arguments for the check, with the members of structs that must not be null. The functions check cells by themselves."""
-    listed = []
     for one in function.parameters:
-        listed.append(one)
-        if one.is_struct() and is_reference(one):
-            listed += [member for member in function.members_read(one) if member.pointer and member.name != "cell"]
-    is_read = [one for one in listed if (one.type == "double" and not one.is_output()) or (one.pointer and not one.nullable)]
-    return [described(one, places) for one in is_read]
+        inner = function.members_read(one) if one.is_struct() and is_reference(one) else []
+        for checked in (one, *(member for member in inner if member.pointer and member.name != "cell")):
+            if (checked.type == "double" and not checked.is_output()) or (checked.pointer and not checked.nullable):
+                yield described(checked, places)
 
 
 def shim(function):
@@ -74,7 +65,8 @@ def shim(function):
         arguments(f"int {function.name}(", function.written, ")"),
         "{",
         *(f"    auto const {one.name}_given = value_or_empty({one.name});" for one in structs),
-        *(line for one in function.parameters for line in marked(one, places)),
+        *(f"    mark({one.name}, {' * '.join(map(str, one.shape)) or 1}, {(MARKS | places).get(value, value)});"
+          for one in function.parameters if (value := one.value_on_error())),
         arguments(f"    auto const work = [&] {{ return {function.plain}(", passed, "); };"),
         arguments("    return checked_call(", [f'"{function.name}"', "work", *checked_arguments(function, places)], ");"),
         "}",
@@ -83,13 +75,12 @@ def shim(function):
 
 
 def files():
-    """The texts of the files by their paths."""
     hands = by_hand()
     listed = {header: [one for one in functions(header) if is_of_object(one) and one.name not in hands] for header in SYSTEMS}
-    workers, path = "\n".join(worker(function) for own in listed.values() for function in own), SOURCE / "src/base/objects.hpp"
+    workers, path = "\n".join(worker(function) for own in listed.values() for function in own), "src/base/objects.hpp"
     made = {path: cpp_header(path, HEADER.format(declarations=workers))}
     for header, own in listed.items():
         head = HEAD.format(what=f" of objects: the functions of {header}", sources=header, includes=INCLUDES,
                            namespaces="using namespace pw85::detail;")  # fmt: skip
-        made[FOLDER / f"objects_{header.removeprefix('pw85_').removesuffix('.h')}.cpp"] = head + "".join(map(shim, own))
+        made[f"{FOLDER}/objects_{header.removeprefix('pw85_').removesuffix('.h')}.cpp"] = head + "".join(map(shim, own))
     return made

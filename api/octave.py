@@ -11,11 +11,10 @@ import re
 
 from declarations import sections
 from layout import filled
-from public_headers import HOST_HEADERS, SOURCE, version
+from public_headers import HOST_HEADERS, source_text, version, with_version
 from questions import MOTION, c_source, questions
 from voice import with_named_statuses
 
-FOLDER = SOURCE / "octave"
 MARK = "made by api/octave.py from the headers of the C API"
 BY_HAND = {"pw85_from_matgeom": "Quadratic forms", "pw85_reproducible": "Version and errors", "pw85_version": "Version and errors",
            "pw85_enclosing_ellipsoid": "Enclosing ellipsoids", "pw85_enclosing_ellipsoid_of": "Enclosing ellipsoids"}  # fmt: skip
@@ -31,13 +30,7 @@ COLUMNS = {2: "[xc yc a b theta]", 3: "[xc yc zc a b c phi theta psi]"}
 
 
 def name_of(question):
-    """The name in Octave, which is that of the C API without `_2d`."""
     return f"pw85_{question.name}"
-
-
-def functions():
-    """The questions by their names in Octave."""
-    return {name_of(one): one for one in questions()}
 
 
 def voice(question):
@@ -48,13 +41,8 @@ def inputs(question):
     return [one.name for one in question.first.inputs]
 
 
-def outputs(question):
-    return [one.name or question.name for one in question.first.outputs]
-
-
 def result(question):
-    """What a call is assigned to."""
-    found = outputs(question)
+    found = [one.name for one in question.first.outputs]
     return found[0] if len(found) == 1 else f"[{', '.join(found)}]"
 
 
@@ -71,10 +59,10 @@ def item(name, text):
     return paragraph(text, " " * 14, f"  {name:<10}  ")
 
 
-def usages(name, question):
+def usages(question):
     """The ways to call a function."""
     given = [inputs(question), question.arguments] if question.ellipsoids else [inputs(question)]
-    ways = [f"{result(question)} = {name} ({', '.join(listed)})" for listed in given]
+    ways = [f"{result(question)} = {name_of(question)} ({', '.join(listed)})" for listed in given]
     return [re.sub(", t_max", " [, t_max]", way) for way in ways]
 
 
@@ -86,12 +74,12 @@ def operands(question, attribute):
     for text, group in voice(question).grouped(listed[0]):
         known, each = sizes[group[0].name], " each" if len(group) > 1 else ""
         columns = f"{' or '.join(map(str, known))} column{'s' if max(known) > 1 else ''}{each}"
-        yield ", ".join(one.name or question.name for one in group), group[0], text, columns
+        yield ", ".join(one.name for one in group), group[0], text, columns
 
 
 def described_items(question):
     for names, one, text, columns in operands(question, "inputs"):
-        motion = f": {MOTION}" if one.is_motion() else "."
+        motion = f": {MOTION}" if one.type == "pw85_motion" else "."
         absent = " Infinite if it is missing." if one.name == "t_max" else ""
         yield item(names, f"{text} {columns}{motion}{absent}")
     if question.ellipsoids:
@@ -103,22 +91,22 @@ def described_items(question):
         yield item(names, "true or false." if question.first.is_truth() else f"{text} {columns}{matrix}.")
 
 
-def page(name, question):
+def page(question):
     """The file of a function: help, body and test."""
-    head, (brief, *rest) = result(question), voice(question).head()
+    name, head, (brief, *rest) = name_of(question), result(question), voice(question).head()
     lines = [f"function {head} = {name} (varargin)", paragraph(brief, "  ", f"{name}  "), "%"]
-    lines += [f"%   {way}" for way in usages(name, question)]
+    lines += [f"%   {way}" for way in usages(question)]
     for text in (*rest, *voice(question).notes(), question.dimensions, ROWS_OF_ALL):
         lines += ["%", paragraph(text)]
     lines += ["%", *described_items(question), "%", f"%  The function of the C API is {question.first.function.name}().", ""]
     lines += ["% SPDX-License-Identifier: BSD-3-Clause", f"% {MARK[0].upper()}{MARK[1:]}."]
-    lines += [f"  {head} = pw85_mex ('{question.name}', varargin{{:}});", "end", "", *test_of(name, question), ""]
+    lines += [f"  {head} = pw85_mex ('{question.name}', varargin{{:}});", "end", "", *test_of(question), ""]
     return "\n".join(lines)
 
 
-def test_of(name, question):
+def test_of(question):
     """Rows of matGeom give what their centres and forms give, and each row alone what it gives among others."""
-    made, count = f"[a{{1:{len(outputs(question))}}}]", len(question.ellipsoids)
+    name, made, count = name_of(question), f"[a{{1:{len(question.first.outputs)}}}]", len(question.ellipsoids)
     values = [VALUES.get(one.name) or ("[1 0 0]" if one.size == 3 else "[1 0]") for one in question.others]
     if not count:
         return ["%!test", f"%! q = {name} ({', '.join(values)});", "%! assert (all (q(:,[1 end])(:) > 0));"]
@@ -135,8 +123,8 @@ def test_of(name, question):
 def index():
     """The list of all functions by the sections of the headers, and of pw85_enclosing.h."""
     declared = [section for header in HOST_HEADERS for section in sections(header)]
-    titles = {name: next(section.title for section in declared if one.first.function in section.functions)
-              for name, one in functions().items()} | BY_HAND  # fmt: skip
+    titles = {name_of(one): next(section.title for section in declared if one.first.function in section.functions)
+              for one in questions()} | BY_HAND  # fmt: skip
     lines = ["pw85 >> Ellipses and ellipsoids"]
     for title in dict.fromkeys([*(section.title for section in declared), *BY_HAND.values()]):
         own = [f"  {name}" for name, section in titles.items() if section == title]
@@ -145,10 +133,9 @@ def index():
 
 
 def files():
-    """The texts of all made files by their paths."""
-    log, described = (path.read_text(encoding="utf-8") for path in (SOURCE / "CHANGELOG.md", FOLDER / "DESCRIPTION.in"))
+    log = source_text("CHANGELOG.md")
     released = re.search(rf"^## \[{re.escape(version())}\] - (\S+)$", log, re.MULTILINE)[1]  # the day, which pkg wants to know
-    described = described.replace("@version@", version()).replace("@date@", released)
-    made = {"DESCRIPTION": described, "INDEX": index(), "src/questions.c": c_source(MARK, "pw85_octave.h", is_endless)}
-    made |= {f"inst/{name}.m": page(name, one) for name, one in functions().items()}
-    return {FOLDER / path: text for path, text in made.items()}
+    described = with_version("octave/DESCRIPTION.in").replace("@date@", released)
+    table = c_source(MARK, "pw85_octave.h", is_endless)
+    made = {"octave/DESCRIPTION": described, "octave/INDEX": index(), "octave/src/questions.c": table}
+    return made | {f"octave/inst/{name_of(one)}.m": page(one) for one in questions()}

@@ -10,7 +10,7 @@ from collections import namedtuple
 from dataclasses import dataclass, replace
 from math import prod
 
-from attributes import Attributes, parsed, text_behind
+from attributes import ASTRAY, Attributes, parsed
 from causes import PACKED
 from public_headers import of_texts, text_of
 from refusals import line_of, refuse
@@ -18,6 +18,7 @@ from refusals import line_of, refuse
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments
 OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids", "pw85_random_addition")  # what the library owns
 CALLBACKS = ("pw85_potential",)  # types of functions of the caller
+TRUTHS = ("overlap", "contains", "is_free", "take")  # names of integers that are truth values; others are signs and indices
 ELEMENTS = ("pw85_motion", "pw85_wall", "pw85_field")  # structs that are elements of arrays
 NUMBERS = ("double", "int", "size_t", "int32_t", "int64_t", "unsigned char", "char", "void")
 TYPES = (*NUMBERS, *STRUCTS, *ELEMENTS, *OBJECTS, *CALLBACKS)
@@ -30,8 +31,10 @@ Description = namedtuple("Description", "attributes text is_output place")
 
 
 def description(attributes, text, is_output, extents, place):
-    """What a comment says in brackets and behind them."""
-    return Description(parsed(attributes, extents, place), text_behind(text, place), is_output, place)
+    """What a comment says in brackets and behind them; brackets that are open, or stand behind a word, are not read as attributes."""
+    found, plain = parsed(attributes, extents, place), " ".join(text.split())
+    refuse(place, {f"attributes must stand between brackets behind the name: {plain}": ASTRAY.search(plain)})
+    return Description(found, plain, is_output, place)
 
 
 @dataclass
@@ -64,9 +67,17 @@ class Parameter:
         return next((extent for extent in self.shape[:1] if isinstance(extent, str) and extent != PACKED), "")
 
     @property
+    def row_shape(self):
+        """Extents of a row where there are rows."""
+        return self.shape[bool(self.rows) :]
+
+    @property
     def size(self):
         """The number of numbers, in a row where there are rows."""
-        return prod(self.shape[bool(self.rows) :])
+        return prod(self.row_shape)
+
+    def with_shape(self, shape):
+        return replace(self, attributes=replace(self.attributes, shape=shape))
 
     def is_handle(self):
         """Whether it is a pointer to an object that the library owns, or one that the library does not read."""
@@ -79,16 +90,23 @@ class Parameter:
     def is_output(self):
         return self.pointer and not self.const and not self.is_handle()
 
+    def is_truth(self):
+        """Whether it is an integer, or a byte in many rows, that is a truth value."""
+        return self.type in ("int", "unsigned char") and self.name in TRUTHS
+
     def is_returned(self):
         """Whether the function gives one row of numbers or a new object by it."""
         return self.outer or (self.is_output() and not any(isinstance(extent, str) for extent in self.shape))
+
+    def value_on_error(self):
+        """What an output is on error; empty if it stays as it is."""
+        return self.attributes.on_error or ("NaN" if self.type == "double" and self.is_returned() else "")
 
     def members(self):
         """The members of the C++ result that it receives."""
         return self.attributes.members or (self.name,)
 
     def member_names(self):
-        """The names of the members of a struct."""
         return {one.name for one in members(self.type)} if self.is_struct() else set()
 
 

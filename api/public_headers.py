@@ -30,6 +30,12 @@ CPP_HEADERS = (
 # What a header of C++ does not offer to users.
 DETAIL = re.compile(r"^namespace (?:pw85::)?detail \{$.*?^\} // namespace (?:pw85::)?detail$", re.MULTILINE | re.DOTALL)
 
+
+def source_text(name):
+    """The text of a file of the source, by its name there."""
+    return (SOURCE / name).read_text(encoding="utf-8")
+
+
 replaced = {}  # texts of headers that are not yet those of the files
 cached = []  # functions whose results follow from the texts
 
@@ -48,7 +54,11 @@ def replace(texts):
 
 
 def text_of(header):
-    return replaced.get(header) or (INCLUDE / header).read_text(encoding="utf-8")
+    return replaced.get(header) or source_text(f"include/{header}")
+
+
+def headers_in_folders():
+    return sorted(path.relative_to(INCLUDE).as_posix() for path in INCLUDE.glob("pw85/*/*.hpp"))
 
 
 def values(header):
@@ -60,7 +70,11 @@ def values(header):
 @cache
 def version():
     """The version of the library, which stands in meson.build alone."""
-    return re.search(r"^  version: '([\d.]+)'", (SOURCE / "meson.build").read_text(encoding="utf-8"), re.MULTILINE)[1]
+    return re.search(r"^  version: '([\d.]+)'", source_text("meson.build"), re.MULTILINE)[1]
+
+
+def with_version(template):
+    return source_text(template).replace("@version@", version())
 
 
 @cache
@@ -72,7 +86,6 @@ def statuses():
 
 @cache
 def macros():
-    """The names of all macros and statuses."""
     texts = (path.read_text(encoding="utf-8") for path in INCLUDE.rglob("*.h*"))
     return {*statuses(), *(name for text in texts for name in re.findall(r"#define (PW85_\w+)", text))}
 

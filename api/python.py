@@ -80,7 +80,6 @@ def signature_of(row, node):
 
 
 def definition(name, arguments, result, end):
-    """The head of a function."""
     return "\n".join(in_one_line_or_each(f"def {name}(", arguments, f") -> {result}:{end}", width=LINE))
 
 
@@ -174,7 +173,6 @@ def with_names(template):
 
 
 def package_names():
-    """The public names of the package."""
     return public_names(SOURCE / "python/pypw85/__init__.in.py")
 
 

@@ -26,7 +26,7 @@ def call_of_row(row, outputs):
     """The call of the function. Where its library keeps no record of refusals, the function of the library pw85 that has the same inputs,
     all of which are declared "as" its own, tells why it is refused."""
     function = row.function
-    inputs = [f"motion(in[{k}])" if one.is_motion() else f"{'' if one.shape else '*'}in[{k}]" for k, one in enumerate(row.inputs)]
+    inputs = [f"motion(in[{k}])" if one.type == "pw85_motion" else f"{'' if one.shape else '*'}in[{k}]" for k, one in enumerate(row.inputs)]
     written = f"{function.name}({', '.join([*['1'] * row.is_of_many(), *inputs, *outputs])})"
     if function.type != "int" or function.header not in SILENT_HEADERS:
         return written
@@ -46,13 +46,13 @@ def body_of_row(row):
     """Statements that compute a row. Integers of C are numbers of Python, NaN on error."""
     if row.is_by_hand():
         return f"return {row.name}(in, out);"
-    integers = [k for k, one in enumerate(row.outputs) if one.is_integer()]
+    integers = [k for k, one in enumerate(row.outputs) if one.type == "int"]
     first, outputs = "*out[0]", [f"&integer{k}" if k in integers else f"out[{k}]" for k in range(len(row.outputs))]
     declared = "".join(f"int integer{k}; " for k in integers)
     stored = "".join(f"number(status, integer{k}, out[{k}]); " for k in integers)
     if row.is_split():
         first, outputs, stored = "row[0]", ["row"], "split(row, out); "
-        declared = f"double row[{row.outputs[0].parameter.size}]; "
+        declared = f"double row[{len(row.outputs)}]; "
     if row.function.type == "int":
         return f"{declared}int const status = {call_of_row(row, outputs)}; {stored}return status;"
     call = call_of_row(row, outputs) if row.function.outputs else f"{first} = {call_of_row(row, [])}"
@@ -61,7 +61,7 @@ def body_of_row(row):
 
 def batch(row):
     """The function of many rows; one that is not only of arrays has a function of its own in function.cpp."""
-    if row.many is None or any(one.is_integer() for one in row.outputs):
+    if row.many is None or any(one.type == "int" for one in row.outputs):
         return "nullptr"
     is_of_arrays = all(one.pointer and one.type != "pw85_motion" for one in row.many.parameters[1:])
     return f"batch<{row.many.name}>" if is_of_arrays else row.many.plain
@@ -158,7 +158,6 @@ class Body:
 
 
 def objects_table():
-    """The functions on objects, and the table of them."""
     listed = functions_of_objects()
     entries = (f'    {{"{one.plain}", as_method({one.plain}), METH_FASTCALL, "Status and results of {one.name}()."}},\n' for one in listed)
     texts = "".join(Body(one).text() for one in listed)
@@ -166,7 +165,6 @@ def objects_table():
 
 
 def type_of(one):
-    """The type of a result in Python."""
     if one.outer:
         return "Any"
     number = "float" if one.type == "double" else "int"

@@ -81,23 +81,18 @@ def call(row):
     if row.takes_rows():
         passed = [f"in[{k}]" for k in range(len(row.inputs))] + [f"out[{k}]" for k in range(len(row.outputs))]
         return ["    (void)row;", f"    return {row.many.name}({', '.join(['n', *passed])});"]
-    assert not row.is_split(), row.name
-    passed, integers, stored = [], [], []
+    passed, kind = [], "unsigned char" if row.is_truth() else "double"
     for k, one in enumerate(row.inputs):
         text = f"in[{k}] + {one.size} * i" if one.shape else f"in[{k}][i]"
-        passed.append(f"(pw85_motion const *)({text})" if one.is_motion() else text)
-    kind = "unsigned char" if row.is_truth() else "double"
-    for k, one in enumerate(row.outputs):
-        passed.append(f"&integer{k}" if one.is_integer() else f"(double *)out[{k}] + {one.size} * i")
-        integers += [f"        int integer{k};"] * one.is_integer()
-        stored += [f"        (({kind} *)out[{k}])[i] = ({kind})integer{k};"] * one.is_integer()
-    return ["    for (*row = 0; *row < n; ++*row) {", "        size_t const i = *row;", *integers,
+        passed.append(f"(pw85_motion const *)({text})" if one.type == "pw85_motion" else text)
+    passed += [f"&integer{k}" if one.type == "int" else f"(double *)out[{k}] + {one.size} * i" for k, one in enumerate(row.outputs)]
+    integers = [k for k, one in enumerate(row.outputs) if one.type == "int"]
+    return ["    for (*row = 0; *row < n; ++*row) {", "        size_t const i = *row;", *(f"        int integer{k};" for k in integers),
             f"        int const status = {row.function.name}({', '.join(passed)});", "        if (status != 0) return status;",
-            *stored, "    }", "    return 0;"]  # fmt: skip
+            *(f"        (({kind} *)out[{k}])[i] = ({kind})integer{k};" for k in integers), "    }", "    return 0;"]  # fmt: skip
 
 
 def wrapped(line):
-    """A line of C in as many as it needs."""
     indent = " " * (len(line) - len(line.lstrip()))
     return filled(line.strip(), first=indent, rest=indent + "    ")
 
@@ -108,14 +103,14 @@ def entry(question, facts, columns):
     for dimension, row in sorted(question.rows.items()):
         assert [one.name for one in row.inputs if one.name not in KINDS] == [one.name for one in question.others], question.name
         given = ", ".join(f'{{"{one.name}", {KINDS.get(one.name, "PW85_VALUES")}, {one.size}}}' for one in row.inputs)
-        sizes = ", ".join(str(one.size) for one in row.outputs)
+        sizes, names = ", ".join(str(one.size) for one in row.outputs), ", ".join(f'"{one}"' for one in columns(question, dimension))
         text = f"{question.name}_{dimension}, {str(row.is_truth()).lower()}, {len(row.inputs)}, {{{given}}}, "
-        yield wrapped(f"        [{dimension - 2}] = {{{text}{len(row.outputs)}, {{{sizes}}}{columns(question, dimension)}}},")
+        yield wrapped(f"        [{dimension - 2}] = {{{text}{len(row.outputs)}, {{{sizes}}}{f', {{{names}}}' if names else ''}}},")
     yield "    }},"
 
 
-def c_source(mark, header, facts=lambda question: "", columns=lambda question, dimension: ""):
-    """The functions and the table of all questions by their names. A language can have facts of a question, and of its columns."""
+def c_source(mark, header, facts=lambda question: "", columns=lambda question, dimension: ()):
+    """The functions and the table of all questions by their names. A language can have facts of a question, and names of columns."""
     listed = sorted(questions(), key=lambda one: one.name)
     rows = {f"{one.name}_{dimension}": row for one in listed for dimension, row in sorted(one.rows.items())}
     arguments = "size_t n, double const *const *in, void *const *out, size_t *row"

@@ -9,11 +9,10 @@ import re
 import unicodedata
 
 from layout import filled
-from public_headers import SOURCE, version
+from public_headers import with_version
 from questions import MOTION, c_source, questions
 from voice import with_named_statuses
 
-FOLDER = SOURCE / "r"
 NAMES = {"overlap": "overlaps"}  # the names in R that are others than those of C
 ENTRIES = {(2, 2): "x y", (2, 3): "xx xy yy", (3, 3): "x y z", (3, 6): "xx xy xz yy yz zz"}  # by the dimension and their number
 WHICH = {(2, 3): "ellipse or ellipsoid", (2,): "ellipse", (3,): "ellipsoid"}
@@ -50,14 +49,8 @@ def columns(question, dimension):
         numbers = " ".join(map(str, range(1, one.size + 1)))
         entries = ENTRIES.get((dimension, one.size), numbers) if len(one.shape) == 1 else numbers
         prefix = "" if len(row.outputs) == 1 else f"{one.name}_"
-        found += [f"{prefix}{entry}" for entry in entries.split()] if one.shape else [one.name or row.name]
+        found += [f"{prefix}{entry}" for entry in entries.split()] if one.shape else [one.name]
     return found
-
-
-def names_of_columns(question, dimension):
-    """The columns of the result in the table of C."""
-    names = ", ".join(f'"{one}"' for one in columns(question, dimension))
-    return f", {{{names}}}"
 
 
 def r_source():
@@ -77,18 +70,16 @@ def help_text(text):
 
 
 def described(question):
-    """What is said of each argument."""
     which = WHICH[tuple(sorted(question.rows))]
     first, second = f"A data frame with a row for each {which}, see pw85-package.", f"The second {which.split()[-1]}s, as `x`."
     yield from zip(question.ellipsoids, (first, second) if "x" in question.ellipsoids else (second,))
     for text, group in voice(question).grouped(question.others):
         one, names = group[0], ", ".join(one.name for one in group)
         size = f" A matrix or data frame with {one.size} columns, or {one.size} numbers for all rows" if one.shape else ""
-        yield names, f"{text}{size}{f': {MOTION}' if one.is_motion() else '.' if one.shape else ''}"
+        yield names, f"{text}{size}{f': {MOTION}' if one.type == 'pw85_motion' else '.' if one.shape else ''}"
 
 
 def value_of(question):
-    """What the function returns."""
     row, dimension = question.first, max(question.rows)
     texts = [(", ".join(f"\\code{{{one.name}}}" for one in group), text) for text, group in voice(question).grouped(row.outputs)]
     if len(row.outputs) == 1:
@@ -102,7 +93,6 @@ def value_of(question):
 
 
 def page(question):
-    """The page of help of a function."""
     name, (brief, *rest) = name_of(question), voice(question).head()
     details = [*rest, *voice(question).notes(), question.dimensions]
     details.append(
@@ -132,8 +122,6 @@ def example_of(question):
 
 
 def files():
-    """The texts of all made files by their paths."""
-    made = {"DESCRIPTION": (FOLDER / "DESCRIPTION.in").read_text(encoding="utf-8").replace("@version@", version())}
-    made |= {"src/questions.c": c_source(MARK, "pw85_r.h", columns=names_of_columns), "R/questions.R": r_source()}
-    made |= {f"man/{name_of(one)}.Rd": page(one) for one in exported()}
-    return {FOLDER / path: text for path, text in made.items()}
+    table = c_source(MARK, "pw85_r.h", columns=columns)
+    made = {"r/DESCRIPTION": with_version("r/DESCRIPTION.in"), "r/src/questions.c": table, "r/R/questions.R": r_source()}
+    return made | {f"r/man/{name_of(one)}.Rd": page(one) for one in exported()}

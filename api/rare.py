@@ -9,7 +9,7 @@
 import re
 
 from layout import cpp_header, wrapped
-from public_headers import INCLUDE, SOURCE
+from public_headers import headers_in_folders, text_of
 
 LINE = re.compile(r"^PW85_(RARE_TIER|SHARED_BY_QUESTIONS)(?:_OF)?\((\w+)(?:, (.+))?\)$", re.MULTILINE)
 TEMPLATE = r"template <((?:class|int) [^<>{}();]*)>\s(?:[^{}();]|\([^{}();]*\))*?\b%s\(((?:[^()]|\([^()]*\))*)\)\s*noexcept\s*{"
@@ -47,18 +47,15 @@ def signature(name, texts):
 
 
 def files():
-    """The texts of the files by their paths."""
-    root, includes, definitions, signatures = INCLUDE / "pw85", "", "", {}
-    texts = {path: path.read_text(encoding="utf-8") for path in sorted(root.glob("*/*.hpp"))}
-    for path, text in texts.items():
+    includes, definitions, signatures = "", "", {}
+    texts = {header: text_of(header) for header in headers_in_folders()}
+    for header, text in texts.items():
         lines = LINE.findall(text)
         for _, name, _ in lines:
             signatures.setdefault(name, signature(name, [text, *texts.values()]))
-        is_shape = path.parent.name == "shapes" or "#include <pw85/distance/solids.hpp>" in text
+        is_shape = header.startswith("pw85/shapes/") or "#include <pw85/distance/solids.hpp>" in text
         if is_shape and (tiers := [(name, given) for tier, name, given in lines if tier == "RARE_TIER"]):
-            includes += f"#include <pw85/{path.relative_to(root).as_posix()}>\n"
+            includes += f"#include <{header}>\n"
             definitions += "".join(f"PW85_DEFINE_OF({name}, {given})\n" if given else f"PW85_DEFINE({name})\n" for name, given in tiers)
-    header = SOURCE / "src/base/signatures.hpp"
-    text = SIGNATURES + "".join(signatures[name] for name in sorted(signatures))
-    shapes = SHAPES.format(includes=includes, definitions=definitions)
-    return {SOURCE / "src/rare/shapes.cpp": shapes, header: cpp_header(header, text)}
+    path, text = "src/base/signatures.hpp", SIGNATURES + "".join(signatures[name] for name in sorted(signatures))
+    return {"src/rare/shapes.cpp": SHAPES.format(includes=includes, definitions=definitions), path: cpp_header(path, text)}

@@ -23,7 +23,6 @@ def refuse(place, wrongs):
 
 
 def line_of(file, text, position):
-    """File and line of a position in a text."""
     return f"{file}:{text.count(chr(10), 0, position) + 1}"
 
 

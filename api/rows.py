@@ -6,10 +6,10 @@ same name with `_batch` in it. Where there is a function of many rows alone, it 
 members of the result, as `out` with `mu2` and `lambda`, is as many results.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
-from math import prod
 
+from attributes import Attributes
 from declarations import Function, functions
 from parameters import Parameter
 from public_headers import HOST_HEADERS, ONE_ROW
@@ -23,32 +23,8 @@ BY_HAND = ("pw85_from_moments", "pw85_from_moments_2d")
 # Other functions of one or many rows that languages have by hand: their parameters are not numbers and arrays of stated length alone.
 NOT_OF_ROWS = ("pw85_set_reproducible", "pw85_is_reproducible", "pw85_inertia", "pw85_inertia_batch", "pw85_overlap_any",
                "pw85_contact_polytope", "pw85_contact_polytope_batch", "pw85_overlap_polytope", "pw85_overlap_polytope_batch")  # fmt: skip
-TRUTHS = ("overlap", "contains")  # integers that are truth values; others are signs and indices
-
-
-@dataclass
-class Operand:
-    """An argument or a result of one row."""
-
-    name: str
-    shape: tuple  # empty for a number
-    parameter: Parameter | None  # in the function of one row; none for what that returns
-
-    @property
-    def size(self):
-        """The number of its numbers."""
-        return prod(self.shape)
-
-    def is_motion(self):
-        return self.parameter is not None and self.parameter.type == "pw85_motion"
-
-    def is_integer(self):
-        """Whether it is an integer of C."""
-        return self.parameter is not None and self.parameter.type == "int"
-
-    def is_truth(self):
-        """Whether it is an integer that is a truth value."""
-        return self.is_integer() and self.name in TRUTHS
+# The result of a function that returns a number.
+RETURNED = Parameter("", "double", True, False, None, False, "", Attributes(), "")
 
 
 @dataclass(eq=False)  # each is made once
@@ -57,16 +33,14 @@ class RowFunction:
 
     function: Function
     many: Function | None  # the relative for many rows, or the function itself
-    inputs: list
-    outputs: list
+    inputs: list  # parameters with the shapes of one row
+    outputs: list  # one for each result
 
     @property
     def name(self):
         """In the compiled part of the package."""
-        if self.is_by_hand():
-            return ONE_OF_MANY[self.function.name]
-        name = self.function.name.removeprefix("pw85_").removesuffix("_batch").replace("legacy__", "legacy_")
-        return name.removeprefix("_")
+        plain = self.function.plain.removesuffix("_batch").replace("legacy__", "legacy_").removeprefix("_")
+        return ONE_OF_MANY.get(self.function.name, plain)
 
     def is_by_hand(self):
         """Whether the compiled part has a function for it that is not made of the declaration."""
@@ -82,21 +56,18 @@ class RowFunction:
 
     def is_truth(self):
         """Whether the result is a truth value, which takes a byte where there are many rows."""
-        types = [one.type for one in (self.many or self.function).outputs]
-        return types == ["unsigned char"] if self.many is not None else types == ["int"] and self.outputs[0].is_truth()
+        return len(self.outputs) == 1 and self.outputs[0].is_truth()
 
     def is_split(self):
         """Whether results are numbers that the function writes into one array."""
-        first = self.outputs[0]
-        return not first.shape and first.parameter is not None and bool(first.parameter.shape) and not self.is_of_many()
+        return len(self.outputs) > len(self.function.outputs) > 0
 
     def takes_rows(self):
         """Whether the relative for many rows has an array of doubles for each operand, or of bytes for truth values."""
-        listed = self.many.parameters[1:] if self.many is not None else []
-        return bool(listed) and all(one.pointer and (one.type == "double" or (self.is_truth() and one.is_output())) for one in listed)
+        listed = self.many.parameters[1:] if self.many else []
+        return bool(listed) and all(one.pointer and (one.type == "double" or (self.is_truth() and one.is_truth())) for one in listed)
 
     def is_overlap(self):
-        """Whether the result is the answer whether there is an overlap."""
         return self.is_truth() and self.name.startswith("overlap")
 
     def signature(self):
@@ -106,13 +77,11 @@ class RowFunction:
 
 
 def is_of_one_row(function):
-    def is_known(one):
-        if one.is_output():
-            return one.type in ("double", "int")
-        return one.type == "pw85_motion" or (one.type == "double" and (not one.pointer or one.length is not None))
-
-    has_result = function.type == "double" or bool(function.outputs)
-    return function.type in ("int", "double", "void") and bool(function.inputs) and has_result and all(map(is_known, function.parameters))
+    if function.type not in ("int", "double", "void") or not function.inputs or (function.type != "double" and not function.outputs):
+        return False
+    is_written = all(one.type in ("double", "int") for one in function.outputs)
+    kinds = {one.type if one.length or not one.pointer else f"{one.type} *" for one in function.inputs}  # lengths must be stated
+    return is_written and kinds <= {"double", "pw85_motion *"}
 
 
 def is_of_many_rows(function):
@@ -125,25 +94,26 @@ def name_of_many(name):
     return f"{name.removesuffix('_2d')}_batch_2d" if name.endswith("_2d") else f"{name}_batch"
 
 
-def operand(one):
-    shape = (NUMBERS_OF_MOTION,) if one.type == "pw85_motion" else tuple(extent for extent in one.shape if extent != "n")
-    return Operand(one.name, shape, one)
+def of_row(one):
+    """A parameter with the shape that it has in one row."""
+    return one.with_shape((NUMBERS_OF_MOTION,) if one.type == "pw85_motion" else one.row_shape)
 
 
 def results(function):
     outputs = function.outputs
-    if function.name in ONE_OF_MANY or (function.type == "double" and not outputs):
-        return [Operand("", (), None)]
+    if function.name in ONE_OF_MANY or not outputs:
+        return [RETURNED]
+    numbers = outputs[0].with_shape(())
     if len(outputs) == 1 and outputs[0].length == len(outputs[0].members()) > 1:
-        return [Operand(name, (), outputs[0]) for name in outputs[0].members()]
+        return [replace(numbers, name=name) for name in outputs[0].members()]
     if function.type == "double":  # the function returns the first of the numbers that it writes
-        return [Operand(outputs[0].name, (), outputs[0])] * outputs[0].shape[0]
-    return [operand(one) for one in outputs]
+        return [numbers] * outputs[0].size
+    return [of_row(one) for one in outputs]
 
 
 def row_function(function, many):
     """The function with its operands; `many` is the function itself if it has an array of rows for each."""
-    inputs = [operand(one) for one in function.inputs[function is many :]]
+    inputs = [of_row(one) for one in function.inputs[function is many :]]
     return RowFunction(function, many, inputs, results(function))
 
 

@@ -9,15 +9,14 @@ from functools import cache
 
 from declarations import functions
 from examples import example_value
+from layout import camel, wrapped
 from layout import in_one_line_or_each as listing
-from layout import wrapped
-from public_headers import ONE_ROW, SOURCE, statuses, version
+from public_headers import ONE_ROW, statuses, with_version
 from refusals import entry_of, refuse
-from rows import TRUTHS, row_function, row_functions, rows_by_hand
+from rows import row_function, row_functions, rows_by_hand
 from shims import template_of
 from voice import PlainVoice, sentence
 
-FOLDER = SOURCE / "rust"
 MARK = "// SPDX-License-Identifier: BSD-3-Clause\n// Made by api/rust.py from the headers of the C API.\n"
 HEADERS = (*ONE_ROW, "pw85_batch.h")
 TYPES = {"double": "f64", "int": "c_int", "size_t": "usize", "unsigned char": "u8", "char": "c_char"}
@@ -35,7 +34,6 @@ def asked():
 
 @cache
 def names_in_rust():
-    """The names in Rust of functions of C."""
     listed = [function.name for row in asked() for function in (row.function, row.many) if function]
     return {name: name.removeprefix("pw85_") for name in (*listed, *BY_HAND_IN_RUST)}
 
@@ -48,29 +46,22 @@ def zero(one):
     return "0" if one.type != "double" else row_type(one).replace("f64", "0.0")
 
 
-def is_of_rows(one):
-    return one.shape[:1] == ("n",)
-
-
 def row_type(one):
-    """The type of the numbers that a row has."""
     if one.type == "double":
-        return array(one.shape[is_of_rows(one) :])
+        return array(one.row_shape)
     return {"pw85_motion": "Motion", "int": "i32"}.get(one.type, "u8")
 
 
 def argument_type(one):
     if one.is_output():
         return f"Option<&mut [{row_type(one)}]>" if one.nullable else f"&mut [{row_type(one)}]"
-    if is_of_rows(one):
+    if one.rows:
         return f"&[{row_type(one)}]"
-    return f"&{row_type(one)}" if one.shape or one.type == "pw85_motion" else "f64"
+    return f"&{row_type(one)}" if one.pointer else "f64"
 
 
 def result_type(one):
-    if one.parameter.type == "int":
-        return "bool" if one.name in TRUTHS else "Ordering"
-    return array(one.shape)
+    return "bool" if one.is_truth() else "Ordering" if one.type == "int" else array(one.shape)
 
 
 @cache
@@ -89,29 +80,21 @@ def values():
 
 
 def result_of(row):
-    """The type of the result: a struct, or that of the only output."""
     return values()[0].get(row.function.name) or result_type(row.outputs[0])
 
 
 @cache
 def voice(row):
-    """What the headers say, in the words of Rust."""
     return PlainVoice(row, names_in_rust(), has_matrices=True)
 
 
 def told(row, listed):
-    """Texts, and arguments."""
-    said = voice(row)
-    items = []
+    said, items = voice(row), []
     for text, group in said.grouped(listed):
-        words = [text, f"Unit: {group[0].attributes.unit}." * bool(group[0].attributes.unit)]
-        items += [f"- {', '.join(f'`{one.name}`' for one in group)}: {' '.join(filter(None, words))}"] * any(words)
-    arguments = "\n".join(items)
-    return [*said.head(), *said.notes(), *["# Arguments", arguments] * bool(arguments)]
-
-
-def camel(name):
-    return "".join(word.capitalize() for word in name.split("_"))
+        unit = group[0].attributes.unit
+        words = " ".join(filter(None, [text, unit and f"Unit: {unit}."]))
+        items += [f"- {', '.join(f'`{one.name}`' for one in group)}: {words}"] if words else []
+    return [*said.head(), *said.notes(), *(["# Arguments", "\n".join(items)] if items else [])]
 
 
 def in_markdown(text):
@@ -137,26 +120,23 @@ def comment(paragraphs, indent="", example=()):
 
 def literal(function, one):
     """A valid argument of one row."""
-    value = example_value(function, one, (*one.shape[is_of_rows(one) :], 0)[0])
+    value = example_value(function, one, (*one.row_shape, 0)[0])
     text = f"pw85::Motion {{ velocity: {value[:3]}, ..Default::default() }}" if one.type == "pw85_motion" else str(value)
     return re.sub(r"(?<![\w.])\d+(?![\w.])", r"\g<0>.0", text)
 
 
 def passed(one):
     """An argument as C takes it."""
-    if one.nullable and is_of_rows(one):
+    if one.nullable and one.rows:
         return f"pointer({one.name})"
-    if not one.pointer or (one.is_output() and not one.shape):
-        return f"&mut {one.name}" if one.pointer else one.name
+    if not one.shape:
+        return f"&mut {one.name}" if one.is_output() else one.name
     pointer = f"{one.name}.{'as_mut_ptr' if one.is_output() else 'as_ptr'}()"
-    if one.type == "pw85_motion":
-        return f"{one.name}.as_ptr()" if is_of_rows(one) else one.name
     return f"{pointer}.cast()" if len(one.shape) > 1 else pointer
 
 
 def single(row):
-    """The function of one row."""
-    name, inputs, outputs = names_in_rust()[row.function.name], row.function.inputs, row.function.outputs
+    name, inputs, outputs = row.function.plain, row.function.inputs, row.function.outputs
     refuse(row.function.place, {"api/rust.py makes no functions of those that return a number": not outputs})
     errors = sentence(re.sub(r"^For a single (row|value): | In arrays, invalid rows become NaN\.$", "", voice(row).raises())).strip()
     given = [f"{'&' * (argument_type(one)[0] == '&')}{literal(row.function, one)}" for one in inputs]
@@ -178,17 +158,16 @@ def single(row):
 
 
 def many(row):
-    """The function of many rows."""
-    name, (_, *listed), outputs = names_in_rust()[row.many.name], row.many.parameters, row.many.outputs
-    inputs = [one for one in listed if not one.is_output()]
-    first, *others = [one for one in listed if is_of_rows(one)]
+    name, (_, *inputs), outputs = row.many.plain, row.many.inputs, row.many.outputs
+    listed = row.many.parameters[1:]
+    first, *others = [one for one in listed if one.rows]
     optional = " An output that is `None` is not written." * any(one.nullable for one in outputs)
     text = [*told(row_function(row.many, row.many), listed), f"Row i of each slice belongs to row i of `{first.name}`.{optional}",
             "# Errors", f"A slice has not as many rows as `{first.name}`, or a row is refused. The outputs of such rows are NaN, 255 for "
             "truth values, 2 for signs; other rows are computed."]  # fmt: skip
-    lines = [f"let {one.name} = {'[' * is_of_rows(one)}{literal(row.many, one)}{'; 2]' * is_of_rows(one)};" for one in inputs]
+    lines = [f"let {one.name} = {f'[{value}; 2]' if one.rows else value};" for one in inputs for value in [literal(row.many, one)]]
     lines += [f"let mut {one.name} = [{zero(one)}; 2];" for one in outputs]
-    given = [f"Some(&mut {one.name})" if one.nullable else "&" * is_of_rows(one) + "mut " * one.is_output() + one.name for one in listed]
+    given = [f"Some(&mut {one.name})" if one.nullable else "&" * bool(one.rows) + "mut " * one.is_output() + one.name for one in listed]
     lines += [*listing(f"pw85::{name}(", given, ")?;"), f"assert_eq!({outputs[-1].name}[0], {outputs[-1].name}[1]);"]
     yield from comment(text, example=lines)
     yield from listing(f"pub fn {name}(", [f"{one.name}: {argument_type(one)}" for one in listed], ") -> Result<(), Error> {")
@@ -199,7 +178,7 @@ def many(row):
 
 
 def struct(name, rows):
-    shared = ", ".join(f"`{names_in_rust()[one.function.name]}()`" for one in rows)
+    shared = ", ".join(f"`{one.function.plain}()`" for one in rows)
     yield from [*comment([f"Results of {shared}."]), f"#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {name} {{"]
     for text, group in voice(rows[0]).grouped(rows[0].outputs):
         names = f"{', '.join(f'`{one.name}`' for one in group)}: " if len(group) > 1 else ""
@@ -232,10 +211,7 @@ def raw(function):
 
 
 def files():
-    """The texts of all made files by their paths."""
-    templates = {f"{crate}/Cargo.toml": FOLDER / crate / "Cargo.toml.in" for crate in ("pw85-sys", "pw85")}
-    made = {path: template.read_text(encoding="utf-8").replace("@version@", version()) for path, template in templates.items()}
+    made = {f"rust/{crate}/Cargo.toml": with_version(f"rust/{crate}/Cargo.toml.in") for crate in ("pw85-sys", "pw85")}
     named = [line for function in functions(*HEADERS, "pw85_enclosing.h") for line in raw(function)]
     head = f'{MARK}\nuse crate::{{c_char, c_int, pw85_motion}};\n\nextern "C" {{'
-    made |= {"pw85-sys/src/functions.rs": "\n".join([head, *named, "}", ""]), "pw85/src/questions.rs": questions()}
-    return {FOLDER / path: text for path, text in made.items()}
+    return made | {"rust/pw85-sys/src/functions.rs": "\n".join([head, *named, "}", ""]), "rust/pw85/src/questions.rs": questions()}

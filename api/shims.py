@@ -12,10 +12,10 @@ import re
 from cpp import homes, name_in_cpp
 from declarations import functions, sections
 from layout import WIDTH, arguments
-from public_headers import ONE_ROW, SOURCE, of_texts
+from public_headers import ONE_ROW, SOURCE, of_texts, source_text
 from refusals import refuse
 
-FOLDER = SOURCE / "src/c_api"
+FOLDER = "src/c_api"
 # The files with their titles. A file has few questions, so that programs with the static library get what they call.
 FILES = {
     "forms": "Quadratic forms",
@@ -63,8 +63,7 @@ SOURCES = "pw85.h, pw85_grains.h and pw85_shapes.h"
 
 
 def by_hand():
-    """The functions that are written by hand."""
-    texts = (path.read_text(encoding="utf-8") for path in FOLDER.glob("*.cpp"))
+    texts = (path.read_text(encoding="utf-8") for path in (SOURCE / FOLDER).glob("*.cpp"))
     return {name for text in texts if MARK not in text for name in DEFINITION.findall(text)}
 
 
@@ -166,11 +165,11 @@ def homes_of(function):
 
 
 def one_row_file(title, listed):
-    of_kernels = {f"pw85_{name}" for name in DISPATCHED.findall((SOURCE / "src/simd/one_pair.hpp").read_text(encoding="utf-8"))}
+    of_kernels = {f"pw85_{name}" for name in DISPATCHED.findall(source_text("src/simd/one_pair.hpp"))}
     own = ["../base/c_arrays.hpp", "../base/floating_point_environment.hpp", "../base/last_error.hpp"]
     own += ["../simd/one_pair.hpp"] if any(one.name in of_kernels for one in listed) else []
     headers = sorted({home for one in listed if one.name not in of_kernels for home in homes_of(one)})
-    includes = ["#include <pw85.h>\n", *(f"#include <{header.as_posix()}>" for header in headers), *[""] * bool(headers)]
+    includes = ["#include <pw85.h>\n", *(f"#include <{header}>" for header in headers), *[""] * bool(headers)]
     includes = "\n".join([*includes, *(f'#include "{header}"' for header in own)])
     namespaces = "using namespace pw85::detail;\nusing namespace pw85::detail::c_api;"
     head = HEAD.format(what=f": {title[0].lower()}{title[1:]}", sources=SOURCES, includes=includes, namespaces=namespaces)
@@ -193,9 +192,8 @@ def questions():
 
 
 def files():
-    """The texts of the files by their paths."""
     listed, hands = {}, by_hand()
     for function in functions(*ONE_ROW):
         if function.name not in hands:
             listed.setdefault(questions()[function.name], []).append(function)
-    return {FOLDER / f"{name}.cpp": one_row_file(FILES[name], own) for name, own in listed.items()}
+    return {f"{FOLDER}/{name}.cpp": one_row_file(FILES[name], own) for name, own in listed.items()}

@@ -8,7 +8,7 @@ A function that the list does not have gets the present version. api/committed.p
 import re
 
 from declarations import functions
-from public_headers import PARTS, SOURCE, version
+from public_headers import PARTS, SOURCE, source_text, version
 
 # The packages, without the major version, and the headers of their libraries. A hyphen is between two numbers.
 PACKAGES = {
@@ -18,11 +18,11 @@ PACKAGES = {
 
 
 def files():
-    """The texts of the lists by their paths."""
     major, texts = version().split(".")[0], {}
     for package, libraries in PACKAGES.items():
-        path = SOURCE / f"debian/{package}{major}.symbols"
-        first = dict(re.findall(r"^ (\w+)@Base (\S+)$", path.read_text(encoding="utf-8") if path.exists() else "", re.MULTILINE))
+        path = f"debian/{package}{major}.symbols"
+        known = source_text(path) if (SOURCE / path).exists() else ""
+        first = dict(re.findall(r"^ (\w+)@Base (\S+)$", known, re.MULTILINE))
         texts[path] = ""
         for library, headers in libraries.items():
             names = sorted(function.name for function in functions(*headers))

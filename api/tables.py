@@ -26,7 +26,8 @@ TYPES = {
     **dict.fromkeys(OBJECTS, "handle"),
 }
 POWERS = {"": 1, "²": 2, "³": 3}
-RESULTS = {"void": "none", "int": "status", "double": "real"}  # results of other types are not used
+# How a call is answered, by the type of its result. Results of other types are not used.
+RESULTS = {"void": ("none", "{}; return {{}};"), "int": ("status", "return {{{}, 0.0}};"), "double": ("real", "return {{0, {}}};")}
 
 
 def extent(one, names):
@@ -64,13 +65,8 @@ def lines(function):
         values = function.values_of_members(struct, lambda one: argument(one, names))
         values += ["{1, 1, 1}"] * (struct.type == "pw85_system")
         defined += f"{struct.type} const {struct.name}{{{', '.join(values)}}}; "
-    call, result = f"{function.name}({', '.join(argument(one, names) for one in function.parameters)})", RESULTS.get(function.type, "other")
-    called = {
-        "status": f"return {{{call}, 0.0}};",
-        "real": f"return {{0, {call}}};",
-        "none": f"{call}; return {{}};",
-        "other": f"static_cast<void>({call}); return {{}};",
-    }[result]
+    result, called = RESULTS.get(function.type, ("other", "static_cast<void>({}); return {{}};"))
+    called = called.format(f"{function.name}({', '.join(argument(one, names) for one in function.parameters)})")
     yield f'{{"{function.name}", Result::{result}, {{'
     yield from (f"    {row_of(one, names)}," for one in function.flattened)
     yield f"}}, []({'' if names else '[[maybe_unused]] '}Argument const *x) -> Answer {{ {defined}{called} }}}},"

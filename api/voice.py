@@ -2,6 +2,7 @@
 """Translates the comments of the C headers for Python docstrings: Python names, no pointers, whole sentences."""
 
 import re
+from functools import partial
 from itertools import groupby
 
 from causes import CAUSES
@@ -24,9 +25,9 @@ def constant(match):
     return f"``{name.lower()}``" if name == "LAMBDA_ATOL" else f"``Status.{name}``"
 
 
-def limits_of(one):
-    """What is said of the attributes that limit the values of a parameter."""
-    return [limit.said for limit in one.attributes.limits if limit.said]
+def with_limits(text, one):
+    """A text of a parameter, with what is said of the attributes that limit its values."""
+    return "; ".join(filter(None, [text, *(limit.said for limit in one.attributes.limits)]))
 
 
 def with_named_statuses(text):
@@ -37,29 +38,26 @@ def with_named_statuses(text):
 class Voice:
     """How texts of the C headers are said in Python, of one function."""
 
-    def __init__(self, row, names, arguments=None, has_matrices=False):
-        self.row = row
+    def __init__(self, row, names, arguments=None, has_matrices=False, named="`{}`", unnamed="``{}`` in the C API"):
+        self.row, self.named, self.unnamed = row, named, unnamed
         self.has_matrices = has_matrices  # arrays of two dimensions; otherwise rows of numbers
         self.names = names  # C functions that the language has, with the names that they have there
         self.arguments = {one.name: one.name for one in row.inputs} | (arguments or {})  # the names of arguments, by those in C
         has_flat_forms = any(one.name in ("q", "q1", "q2") and one.shape == (3,) for one in row.inputs)
         self.is_flat = row.function.dimension == 2 or has_flat_forms
 
-    def meant(self, name, is_inherited):
-        """The function of C that is meant: in what a function of ellipses inherits, that of ellipses."""
-        flat = f"{name}_2d"
-        return flat if self.is_flat and is_inherited and flat in self.names else name
-
-    def reference(self, match, is_inherited):
-        name = self.meant(match[1], is_inherited)
-        return f"`{self.names[name]}`" if name in self.names else f"``{match[1]}`` in the C API"
+    def reference(self, name, is_inherited):
+        """The name of a function of C. In what a function of ellipses inherits, that of ellipses is meant."""
+        flat = self.names.get(f"{name}_2d") if self.is_flat and is_inherited else None
+        own = flat or self.names.get(name)
+        return self.named.format(own) if own else self.unnamed.format(name)
 
     def unit(self, match):
         """The unit of an argument, whose name is marked."""
         return f"unit of `{self.arguments[match[1]]}`" if match[1] in self.arguments else match[0]
 
     def said(self, text, is_inherited=False):
-        text = re.sub(r"\b(pw85\w+)\(\)", lambda match: self.reference(match, is_inherited), text)
+        text = re.sub(r"\b(pw85\w+)\(\)", lambda match: self.reference(match[1], is_inherited), text)
         text = re.sub(r"\bunit of (\w+)\b(?!·)", self.unit, re.sub(r"\bfor n (?=[a-z])", "for many ", text))
         text = re.sub(r"#(PW85_\w+)", constant, re.sub(r"\blambda\b", "λ", text))
         if self.is_flat and is_inherited:
@@ -71,20 +69,15 @@ class Voice:
             text = re.sub(rf"\b{name}(?![a-z0-9_])", own, text) if "_" in name else text
         return text
 
-    def described(self, name):
+    def described(self, one):
         """What is said of a parameter in the words of Python, with its limits."""
-        one, is_inherited = self.row.function.described(name), bool(self.row.function.descriptions[name].attributes.like)
-        text = "; ".join(filter(None, [OF_C.sub("", one.text.rstrip(".")), *limits_of(one)]))
-        return sentence(self.said(text, is_inherited))
+        text = with_limits(OF_C.sub("", one.text.rstrip(".")), one)
+        return sentence(self.said(text, is_inherited=bool(one.attributes.like)))
 
     def grouped(self, operands):
         """Neighbours of the same shape and unit of which the same is said, with the text."""
-
-        def said(one):
-            parameter = getattr(one, "parameter", one)
-            return (one.shape, parameter.attributes.unit, self.described(parameter.name)) if parameter else ((), "", "")
-
-        return [(text, list(group)) for (*_, text), group in groupby(operands, said)]
+        groups = groupby(operands, lambda one: (one.shape, one.attributes.unit, self.described(one)))
+        return [(text, list(group)) for (*_, text), group in groups]
 
     def paragraphs(self):
         text = re.split(r"@(?:param|return)", self.row.function.comment)[0]
@@ -106,29 +99,19 @@ class Voice:
         function = self.row.function
         if function.type != "int":
             return "For a single value: invalid input. In arrays, invalid rows become NaN." if function.is_nan_on_error() else ""
-        inputs = [one.parameter for one in self.row.inputs]
+        inputs = self.row.inputs
         infinite = [f"`{one.name}` may be infinite" for one in inputs if not INFINITY.is_named(one)]
         wrong = [f"a number is not finite{f' ({infinite[0]})' if infinite else ''}"]
         for cause in CAUSES:
             for one in inputs:
                 if cause.wrong and cause.can_have(one) and cause.is_named(one):
                     wrong.append(cause.wrong.format(name=self.arguments[one.name]))
-        unique = list(dict.fromkeys(wrong))
-        listed = f"{', '.join(unique[:-1])}{' or ' if unique[1:] else ''}{unique[-1]}"
-        others = "" if self.row.is_truth() else " In arrays, invalid rows become NaN."
-        return f"For a single row: {listed}. {self.convergence()}".rstrip() + others
-
-    def convergence(self):
-        """Where there is no convergence, by what the function returns or that to which it refers."""
-        match = re.search(r"#PW85_ECONVERGENCE(?: \((.*)\)| (as for \w+\(\)))?", self.row.function.returned())
-        if match is None or not (match[1] or match[2]):
-            return ""
-        return f"``Status.ECONVERGENCE``: {self.said(match[1] or match[2])}. "
+        *others, last = dict.fromkeys(wrong)
+        listed = f"{', '.join(others)}{' or ' if others else ''}{last}"
+        match = re.search(r"#PW85_ECONVERGENCE (?:\((.*)\)|(as for \w+\(\)))", function.returned())
+        convergence = f" ``Status.ECONVERGENCE``: {self.said(match[1] or match[2])}." if match else ""
+        return f"For a single row: {listed}.{convergence}{'' if self.row.is_truth() else ' In arrays, invalid rows become NaN.'}"
 
 
-class PlainVoice(Voice):
-    """For a language that has only some of the functions, or has other names for them."""
-
-    def reference(self, match, is_inherited):
-        name = self.names.get(self.meant(match[1], is_inherited))
-        return f"`{name}()`" if name else f"`{match[1]}()` of the C API"
+# For a language that has only some of the functions, or has other names for them.
+PlainVoice = partial(Voice, named="`{}()`", unnamed="`{}()` of the C API")

@@ -173,11 +173,11 @@ class RFunctions(FromHeader):
 
 class OctaveFunctions(FromHeader):
     def lines(self, section):
-        listed = {name: one for name, one in octave.functions().items() if one.first.function in section.functions}
+        listed = [one for one in octave.questions() if one.first.function in section.functions]
         if listed and section.title:
             yield from (section.title, "~" * len(section.title), "")
-        for name, question in listed.items():
-            usages = " or ".join(f"``{usage}``" for usage in octave.usages(name, question))
+        for question in listed:
+            usages = " or ".join(f"``{usage}``" for usage in octave.usages(question))
             yield from (usages, f"   {as_text(' '.join(octave.voice(question).head()))}", "")
             yield from (f"   {question.dimensions} See :c:func:`{question.first.function.name}`.", "")
 
