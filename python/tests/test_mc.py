@@ -783,6 +783,9 @@ BAD = [
     *[([*GOOD, "--pressure", number], f"must be a finite number > 0, not '{number}'") for number in ("0", "-1", "nan", "inf", "x")],
     *[([*GOOD, "--sweeps", number], f"must be a whole number.*, not '{number}'") for number in ("0", "0.5", "nan", "inf", "x")],
     ([*GOOD, "--chain-length", "0"], "must be a finite number > 0, not '0'"),
+    *[([*GOOD, *given], "would have more than .* free paths, and at most 1e.08 are allowed: choose fewer") for given in
+      (["--chain-length", "1e9"], ["--chains", "1e9"], ["--chains", "1e5", "--chain-length", "1e4"])],
+    ([*GOOD, "--pressure", "1", "--volume-trials", "1e9"], "must be a whole number from 1 to 10000, not '1e9'"),
     ([*GOOD, "--reach", "nan"], "must be a finite number >= 0, not 'nan'"),
     *[([*GOOD, "--exchange", number], f"must be a finite number >= 0 and < 1, not '{number}'") for number in ("1", "-0.1", "nan", "x")],
     (["mc", "alike.xyz", *GOOD[2:], "--exchange", "0.1"], "alike.xyz: all particles have the same semi-axes: there is nothing to exchange"),

@@ -50,7 +50,7 @@ EVERY, TRIALS_PER_CHAIN = 10, 250
 EVERY_OF_DENSE, TRIALS_PER_CHAIN_OF_DENSE = 20, 1000
 DENSE = 22
 # The longest free path over the longest semi-axis: an event chain continues from there as from a contact.
-_LONGEST_PATH = 1 / 4
+LONGEST_PATH = 1 / 4
 # The mean separation along the direction of a chain of two spheres, or discs, that touch, over the sum of their radii: contacts are
 # distributed uniformly across the direction.
 _MEAN_TRANSFER = {3: 2 / 3, 2: np.pi / 4}
@@ -125,7 +125,7 @@ def _usual_chain_length(simulation: HardEllipsoids, excess: float) -> float:
     dimensions = simulation.dimensions
     semi_axes = simulation.semi_axes[:, :dimensions]
     transfer = _MEAN_TRANSFER[dimensions] * 2 * float(np.mean(semi_axes.prod(axis=1)) ** (1 / dimensions))
-    return float(PATHS / (excess / transfer + 1 / (_LONGEST_PATH * float(semi_axes.max()))))
+    return float(PATHS / (excess / transfer + 1 / (LONGEST_PATH * float(semi_axes.max()))))
 
 
 class _GrowingText:

@@ -30,6 +30,7 @@ from ._runs import (
     DENSE,
     EVERY,
     EVERY_OF_DENSE,
+    LONGEST_PATH,
     PATHS,
     TRIALS_PER_CHAIN,
     TRIALS_PER_CHAIN_OF_DENSE,
@@ -50,6 +51,10 @@ _NEEDED = {
 }  # fmt: skip
 # Each thread needs a stack. OpenMP ends the process if it cannot start one.
 MOST_THREADS = 1024
+# Free paths of all chains of a sample, before whose end Ctrl-C has no effect. Each takes about a microsecond or more.
+_MOST_PATHS = 10**8
+# Volume moves after a sweep, before whose end Ctrl-C has no effect, either. Each takes about as long as a sweep.
+_MOST_VOLUME_TRIALS = 10**4
 
 
 @command(short_help="Move hard ellipsoids by Monte Carlo, and print averages with errors.")
@@ -66,7 +71,7 @@ MOST_THREADS = 1024
               help="With --pressure: what a volume move does to the cell. isotropic: it scales all axes by the same factor; axis: it "
                    "scales one axis; triclinic: it scales one axis or shears the cell. Use axis and triclinic only for crystals: in a "
                    "fluid the cell becomes longer and thinner without limit.")
-@click.option("--volume-trials", type=WholeNumber(), default=1, show_default=True, metavar="N",
+@click.option("--volume-trials", type=WholeNumber(most=_MOST_VOLUME_TRIALS), default=1, show_default=True, metavar="N",
               help="With --pressure: number of volume moves after each sweep.")
 @click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="FRACTION",
               help="For mixtures: fraction of the trial moves that exchange the semi-axes of two particles of different species.")
@@ -206,6 +211,7 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
     observables = Observables(width, reach, bins)
     if reach:
         _check_reach(system, reach, bins)
+    _refuse_long_chains(system, options["chains"], options["chain_length"])
     held.enter_context(locked(path))
     _refuse_existing(path)
     simulation = _simulation(given.path, system, **options)
@@ -226,6 +232,15 @@ def _check_reach(system: System, reach: float, bins: int) -> None:
         pair_correlation(system, reach, bins)
     except MemoryError:
         raise ValueError(f"there is not enough memory for all pairs within --reach, {reach:g}: choose a smaller one") from None
+
+
+def _refuse_long_chains(system: System, chains: int | None, length: float | None) -> None:
+    """Refuses chains that would run for minutes at each sample. None is a choice of the command: of a length with PATHS free paths."""
+    longest_path = LONGEST_PATH * float(system.semi_axes[:, : system.dimensions].max())
+    paths = (1 if chains is None else chains) * (PATHS if length is None else length / longest_path)
+    if paths > _MOST_PATHS:
+        raise click.UsageError(f"the event chains of a sample would have more than {paths:.2g} free paths, and at most {_MOST_PATHS:g} are "
+                               "allowed: choose fewer --chains, or a smaller --chain-length")  # fmt: skip
 
 
 def _settings(system: System, path: str, trajectory: str | None, *, volume: Any, every: int | None, chains: int | None,
