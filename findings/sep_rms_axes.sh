@@ -11,8 +11,8 @@ set -eu
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 cd "$dir"
-apt-get download -q python3-sep=1.2.1-6+b2 >/dev/null
-dpkg -x python3-sep_*.deb .
+apt-get download -q python3-sep=1.2.1-6+b2 libsep0=1.2.1-6+b2 >/dev/null
+for package in *.deb; do dpkg -x "$package" .; done
 cat >check.py <<'EOF'
 import numpy as np
 import sep
@@ -27,4 +27,4 @@ a, b, theta = (float(found[name][0]) for name in ("a", "b", "theta"))
 print(f"a {a:.2f}, b {b:.2f}, theta {theta:.4f}; pi a b {np.pi * a * b:.0f} of {inside.sum()} pixels")
 assert abs(a - 12) < 0.1 and abs(b - 4) < 0.1 and abs(theta - np.radians(30)) < 0.01
 EOF
-PYTHONPATH="$dir/usr/lib/python3/dist-packages" /usr/bin/python3 check.py
+LD_LIBRARY_PATH=$(echo "$dir"/usr/lib/*-linux-gnu) PYTHONPATH="$dir/usr/lib/python3/dist-packages" /usr/bin/python3 check.py
