@@ -41,7 +41,8 @@ from ._files import (
     refuse_standard_output,
     replacing,
 )
-from ._frames import Frame, Location, Options
+from ._frames import Frame, Location
+from ._options import Options
 from ._names import type_names
 
 __all__ = [

@@ -7,9 +7,9 @@ import numpy as np
 
 from .._typing import Floats
 from ._column_names import SPHERES, plain_name
-from ._columns import Taken
 from ._frames import Frame
 from ._table import Table
+from ._taken import Taken
 from ._turns import Turn
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ._column_names import matches, plain_name
 from ._conventions import Convention
 from ._errors import for_option
-from ._frames import Options
+from ._options import Options
 from ._table import Lines, Table
 
 # What may follow a word that names a series

@@ -17,7 +17,7 @@ from .._typing import Floats
 from .._words import counted
 from ._conventions import Convention, sense_in_words, sequence_in_words
 from ._errors import FileError, for_option
-from ._frames import Options
+from ._options import Options
 from ._table import Table
 
 Names = tuple[str, ...]

@@ -15,7 +15,9 @@ from .._typing import Floats
 from ._boxes import bounds, check_bounds, lost_periodicity, numbered_types
 from ._columns import describe
 from ._errors import FileError
-from ._frames import Frame, Location, Options, lost_dimensions
+from ._dimensions import lost_dimensions
+from ._frames import Frame, Location
+from ._options import Options
 from ._names import ONE_WORD, PRINTED, checked_names, numbers_if_all_are, type_names
 from ._table import Lines, Table, write_rows
 

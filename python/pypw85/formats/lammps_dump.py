@@ -15,12 +15,15 @@ from .._typing import Floats
 from ._boxes import bounds, check_bounds, numbered_types
 from ._column_names import UNIT_AT_END
 from ._column_values import fill
-from ._columns import Taken, take
+from ._columns import take
 from ._errors import for_option
-from ._frames import Frame, Location, Options, lost_dimensions
+from ._dimensions import lost_dimensions
+from ._frames import Frame, Location
+from ._options import Options
 from ._names import ONE_WORD, PRINTED, checked_names
 from ._series import check_clumps, columns_of_clumps
 from ._table import Lines, coded, locate_frames, write_rows
+from ._taken import Taken
 
 SUFFIXES = (".dump", ".lammpstrj")
 _POSITIONS = (("x", "y", "z"), ("xu", "yu", "zu"), ("xs", "ys", "zs"), ("xsu", "ysu", "zsu"))
