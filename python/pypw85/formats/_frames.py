@@ -80,6 +80,9 @@ class Frame:
     source: str = ""
     notes: list[str] = dataclasses.field(default_factory=list)
 
+    def __post_init__(self) -> None:
+        self._says_dimensions = self.dimensions is not None
+
     @classmethod
     def of(cls, path: Path, frame: int, system: System) -> Frame:
         """Makes the frame of a system that is to be written."""
@@ -208,6 +211,9 @@ class Frame:
                 return system
             system = given(dimensions=2)
         if options.dimensions == 2:
+            return system
+        if self._says_dimensions:
+            self.source = ", ".join(filter(None, [self.source, "two-dimensional, as the file says"]))
             return system
         reason = "" if said else (", because all centres lie in one plane of z, and the cell is no higher than the particles, as with "
                                   "dimension 2 in LAMMPS")  # fmt: skip
