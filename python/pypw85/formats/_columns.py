@@ -88,10 +88,10 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     _check_brackets([*known, *taken.columns], error)
     _check_twins(others, taken, error)
     _turns.check_units(taken.turn.columns, error)
-    check_unused(columns, taken, [*known, *colors], options, error, is_flat, convention)
+    doubts = check_unused(columns, taken, [*known, *colors], options, error, is_flat, convention)
     _check_options(taken, options, error)
     unused = " ".join(name for name in dict.fromkeys(columns) if name not in {"", *known, *taken.columns})
-    return taken._replace(source=", ".join(filter(None, [taken.source, unused and f"columns that are not used: {unused}"])))
+    return taken._replace(doubts=doubts, source=", ".join(filter(None, [taken.source, unused and f"columns that are not used: {unused}"])))
 
 
 def _colors(columns: Sequence[str], options: Options, is_flat: bool) -> list[str]:
@@ -208,9 +208,10 @@ def _by_names(columns: Sequence[str], plain: dict[str, str], options: Options, e
     exponents = [(plain[name], values) for name, values in EXPONENTS if name in plain]
     if not shape and sphere and quaternion and options.shape is None:
         raise error(f"there are quaternions, but no shapes: {sphere[0]} may be that of the circumscribed sphere, as in LAMMPS since "
-                    f"2026: write shapes, name their columns (--shape-columns {','.join(3 * sphere)} for spheres), or give one "
+                    f"2026: write shapes, name their columns (--shape-columns {for_option(3 * sphere)} for spheres), or give one "
                     "shape for all particles (--shape)")  # fmt: skip
     if not shape and sphere:
+        turn = Turn() if turn.may_be_velocity and not options.direction_columns else turn
         if turn.kind:
             raise error(f"{sphere[0]} may be that of spheres, but there is also {' '.join(turn.columns)}: name columns of lengths "
                         f"(--shape-columns), or leave these out (--ignore-columns {for_option(turn.columns)})")  # fmt: skip

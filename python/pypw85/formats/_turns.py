@@ -102,6 +102,11 @@ class Turn(NamedTuple):
         """Returns whether a direction is that of the longest axis, by its name."""
         return self.kind == "direction" and base(self.columns[0])[0].startswith("major")
 
+    @property
+    def may_be_velocity(self) -> bool:
+        """Returns whether a direction may be a displacement or a velocity, by its name."""
+        return self.kind == "direction" and base(self.columns[0])[0] == "ux"
+
     def describe(self) -> str:
         if not self.kind:
             return ""

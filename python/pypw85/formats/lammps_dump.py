@@ -69,7 +69,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
                      len(positions) == 2)  # fmt: skip
         _check_turned(header, taken, lines)
         clumps = columns_of_clumps(header.columns, options)
-        wanted = ["id", _type_column(header.columns), *positions, *taken.columns, *clumps]
+        wanted = ["id", _type_column(header.columns), *positions, *taken.checked, *clumps]
         table = lines.table(header.particles, header.columns, [_LABEL], wanted=wanted)
         check_clumps(table, clumps, lines)
     centers = table.stack(positions)

@@ -116,7 +116,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         periodic = lines.flags(keys.get("pbc", "T T T"), "pbc")
         step = lines.whole(keys.get("Timestep", "0"), "Timestep", -(2**63))
         clumps = [name for name in columns_of_clumps(columns, options) if name not in text]
-        wanted = ["id", *_TYPES, *positions, *taken.columns, *clumps]
+        wanted = ["id", *_TYPES, *positions, *taken.checked, *clumps]
         table = lines.table(count, columns, text, wanted=wanted)
         check_clumps(table, clumps, lines)
         _check_names(keys, table, lines)
