@@ -27,6 +27,8 @@ REFUSED = {
                     "Q_12", "r11", "rmin,rmax", "d_max", "ellipsoid", "unit", "spacing", "pixel_um", "resolution", "b_to_a", "c/a", "ba",
                     "ellipticity", "ecc", "triaxiality", "acylindricity", "extent_x", "std_x", "Rg_xx", "tensor_00", "dim_x", "flatness",
                     "ovality", "slenderness", "rotvec_x", "Breadth3d", "Max caliper", "Feret", "hx", "fwhm_x", "voxel_x", "dpi")},
+    **{f"x,y,z,radius,{stem}_a,{stem}_b,{stem}_c": ({}, "0,0,0,1,1,1,1", f"the columns {stem}_a {stem}_b {stem}_c could")
+       for stem in ("var", "std", "rms")},
     "x,y,a,b,angle_deg,axis1,axis2": ({}, "0,0,2,1,0,4,2", "say what they are .--shape-columns, --angle-columns., or leave"),
     "x,y,z,a,b,c,axis1,axis2": ({}, "0,0,0,2,1,1,4,2", "say what they are .--shape-columns, --quaternion-columns, --euler, --polar or"),
     "x,y,z,radius,rw,rx,ry,rz": ({}, f"0,0,0,1,{UP}", "the column rw could change the shapes or how they are turned"),
@@ -528,7 +530,8 @@ def test_ids_and_types_by_other_names(tmp_path):
 
 
 # Columns beside lengths and quaternions whose names sound like lengths or turns, and that hold neither
-HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_velocity_x", "information", "misorientation", "psi6", "psi_4",
+HARMLESS = ("length_travelled", "Distance moved", "EqDiameter3d (um)", "eq_radius", "q4", "rotational_energy",
+            "Rotational Kinetic Energy", "rotational_velocity_x", "information", "misorientation", "psi6", "psi_4",
             "phi_dot", "yaw_rate",
             "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
             "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
@@ -801,6 +804,16 @@ STYLES = {
     "1 1 1 -0.3 0 0 0": "the fourth column must be the density > 0 of atom_style ellipsoid, not -0.3",  # charge, or LAMMPS refuses it
     "1 1 1 nan 0 0 0": "the fourth column must be the density > 0",
 }
+
+
+def test_bonded_spheres(tmp_path):
+    """bpm/sphere has the number of the molecule before the type, and then the columns of the style sphere."""
+    text = "of a test\n\n2 atoms\n9 atom types\n-9 9 xlo xhi\n-9 9 ylo yhi\n-9 9 zlo zhi\n\nAtoms # bpm/sphere\n\n"
+    system = read_text(tmp_path / "a.data", text + "1 7 3 1 5 0 0 0\n2 8 4 2 5 0 1.2 0\n")
+    assert system.types.tolist() == [3, 4] and system.semi_axes[:, 0].tolist() == [0.5, 1]
+    assert len(read_text(tmp_path / "a.data", text + "1 7 3 1 5 0 0 0 0 0 0\n2 8 4 2 5 0 1.2 0 0 0 1\n")) == 2
+    with pytest.raises(pypw85.FileError, match="7 columns, but atom_style bpm/sphere has 8 .id molecule type diameter .*, or 11"):
+        read_text(tmp_path / "a.data", text + "1 3 1 5 0 0 0\n2 4 2 5 0 1.2 0\n")
 
 
 @pytest.mark.parametrize("row", STYLES)

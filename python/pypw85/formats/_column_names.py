@@ -50,7 +50,7 @@ _QUADRUPLE = ("[1]", "[2]", "[3]", "[4]")
 QUATERNIONS: list[tuple[str, list[Names], str]] = [
     (r".*(?:wxyz|wijk|scalarfirst|wfirst)", [_QUADRUPLE], "wxyz"),
     (r".*(?:xyzw|ijkw|scalarlast|wlast)", [_QUADRUPLE], "xyzw"),
-    ("(?:field|pose|body|particle|ellipsoid|grain)*(?:quat|q|quaternion|quaternions|quats|orientation|orient|ori|rotation|rot)",
+    ("(?:field|pose|body|particle|ellipsoid|grain)*(?:(?:orientation|rotation|rot)?(?:quat|q|quaternion|quaternions|quats)|orientation|orient|ori|rotation|rot)",
      _LETTERS, "wxyz"),
     ("orientation", [_QUADRUPLE], "xyzw"),
     ("quat", [("1", "2", "3", "4")], "wxyz"),  # of LIGGGHTS
@@ -114,7 +114,7 @@ _SIZE_NAMES = _one_of(
     # sizes of spheres that stand for bodies
     r"(rad|r)eq e[cs]d d[1-9]0 [rd](eq|equiv|mean|avg|ave|median|vir|vol|hyd) rg rf sieve "
     # spreads, and how many of them a length is
-    r"(dims?|extents?|span|std|stdev|stddev|sd|var|variance|precision|rms|voxel|pixel)[xyz0-3] [xyz](err|unc) n(std|sig) "
+    r"(dims?|extents?|span|std|stdev|stddev|sd|var|variance|precision|rms|voxel|pixel)[abcxyz0-3] [xyz](err|unc) n(std|sig) "
     r"conf(idence)?(level)? quantile percentile chi2\w* "
     # shapes, ratios of lengths
     r"(shape)?anisotropy z?anisotropy kappa ar ecc flat oval(ity|ness)? ba ca cb [abc](to|over)[abc] polydispersity gamma[12] "
@@ -158,7 +158,7 @@ _TURN_NAMES = _one_of(
 TURNS = re.compile(f".*{_WITHIN_TURNS}.*|{_TURN_NAMES}")
 # Those of other things: stresses, velocities, contacts, positions, counts
 OTHERS = re.compile(_one_of(
-    r"(bond|cluster|group|sample|batch|step|wave|track|path)\w*(length|size|width) "
+    r"(length|distance)(travell?ed|moved)\w* (bond|cluster|group|sample|batch|step|wave|track|path)\w*(length|size|width) "
     r"temperature\w* charge\w* mass\w* density\w* (stress|strain|virial|pressure|force|torque|velocity)\w* c?stress\[\d\] "
     r"number(?!of(corners|fac|edges|sides|vert))\w* .*neighbou?rs? eulernumber eulercharacteristic "
     r"rot\w*(energy|velocity|temperature|momentum)[xyz]? orient(ational)?order(parameter)?(\[\d+\])? psi[468] erotate\w* "
@@ -171,7 +171,7 @@ _WITHIN_DERIVED = _one_of(
     r"cylindric triaxial slender feret caliper calliper gyrat equivalent bounding bbox inscr"
 )
 _DERIVED_NAMES = _one_of(
-    r"ecc oval(ity|ness)? ba ca cb [abc](to|over)[abc] perim\w* (shape)?anisotropy ar (form|shape)factor "
+    r"eq(uiv)?(diam|rad)\w* ecc oval(ity|ness)? ba ca cb [abc](to|over)[abc] perim\w* (shape)?anisotropy ar (form|shape)factor "
     r"(moments?(of)?)?inertia[\w\[\]]* i(xx|yy|zz|xy|xz|yz)"
 )
 DERIVED = re.compile(f"(?!.*(pixel|voxel|zaspect|zratio|zanis)).*{_WITHIN_DERIVED}.*|{_DERIVED_NAMES}")

@@ -243,8 +243,15 @@ def _names_in(comments: list[str], line: str | None) -> str | None:
     if (listed := _listed(comments)) is not None:
         return listed
     counts = {len(words) for words in rows_of(line or "")}
-    return next((comment for comment in reversed(comments)
-                 if _are_names(comment) and (line is None or len(_header(comment)[2]) in counts)), None)  # fmt: skip
+    found = [comment for comment in reversed(comments) if line is None or len(_header(comment)[2]) in counts]
+    # Names of which none is known to be a position have a separator; sentences have blanks.
+    return next((comment for comment in found if _are_names(comment)),
+                next((comment for comment in found if line is not None and _is_list(comment)), None))  # fmt: skip
+
+
+def _is_list(comment: str) -> bool:
+    separator, _, names = _header(comment)
+    return separator is not None and len(names) > 3 and all(names)
 
 
 def _with_units(line: str, units: dict[str, str]) -> str:

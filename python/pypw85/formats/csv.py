@@ -66,6 +66,8 @@ _SAME_UNITS |= dict.fromkeys(("pix", "pixel", "pixels", "voxel", "voxels"), "px"
 _SAME_UNITS |= dict.fromkeys(("meter", "meters", "metre", "metres"), "m") | dict.fromkeys(("angstrom", "angstroms"), "å")
 # Names that mean the middle of a body, where others may mean the corner of a box around it
 _OF_CENTERS = re.compile(r"(cent|barycent|pos|loc).*|[xyz](c|pos|cent).*|c[xyz]")
+# What an empty row of a spreadsheet has
+_EMPTY = ' \t\r,;|"'
 # The sides of boxes, as `plain_name` makes their names
 _SIDES = (["width", "height"], ["w", "h"])
 _IDS = ("id", "ids", "particleid", "featureid", "index", "number")
@@ -103,7 +105,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         cell, origin, periodic = box_of(keys, lines)
         _check_units_row(lines, separator, [columns.index(name) for name in positions])
         series = columns_of_series(columns, len(positions), options, convention)
-        wanted = [name for name in (*positions, *offsets, *taken.columns, ids, types, *series) if name]
+        wanted = [name for name in (*positions, *offsets, *taken.checked, ids, types, *series) if name]
         table = lines.table(count, columns, [types, *series], separator, wanted, decimal_comma=separator != ",")
         check_series(table, series, convention, lines)
         _check_mistake(table, [*positions, *taken.shape], lines)
@@ -284,7 +286,7 @@ def _unit(name: str) -> str:
 
 
 def _remaining(lines: Lines, separator: str | None) -> tuple[int, list[str]]:
-    """The number of lines up to the last one that is neither blank nor a comment, which must be a body, and the comments behind it."""
+    """The number of lines up to the last one that is neither empty nor a comment, which must be a body, and the comments behind it."""
     place = lines.location(lines.frame)
     count = last = 0
     end, comments = b"", list[str]()
@@ -304,11 +306,11 @@ def _remaining(lines: Lines, separator: str | None) -> tuple[int, list[str]]:
 
 
 def _without_comments(text: bytes) -> tuple[bytes, list[str]]:
-    """Lines without blank ones and comments at their end, and these comments. A row may begin so, too, as with a colour, #ff0000."""
+    """Lines without empty ones and comments at their end, and these comments. A row may begin so, too, as with a colour, #ff0000."""
     comments, end = list[str](), len(text)
     while end:
         begin = text.rfind(b"\n", 0, end) + 1
-        line = text[begin:end].decode("utf-8", errors="replace").strip()
+        line = text[begin:end].decode("utf-8", errors="replace").strip(_EMPTY)
         if line and (not line.startswith(("#", "%")) or has_numbers(line)):
             break
         comments += [line] if line else []
