@@ -16,7 +16,7 @@ from .._functions import ellipsoid_quaternion
 from .._rotations import quaternions_along
 from .._system import System, is_planar, quaternions_about_z
 from .._typing import Floats
-from .._words import counted
+from .._words import counted, printable
 from ._dimensions import is_flat
 from ._errors import FileError, for_option
 from ._files import Path
@@ -123,7 +123,7 @@ class Frame:
         self.positions = arrays[0][:0]
         self.shapes = self.quaternions = self.types = self.ids = None
         system = self._made(options, arrays, types=types, ids=ids, shapeless=int((~has_shape).sum()))
-        system.source, system.notes = self.source, tuple(self.notes)
+        system.source, system.notes = printable(self.source), tuple(map(printable, self.notes))
         return system
 
     def _number_repeated(self) -> None:
@@ -186,7 +186,7 @@ class Frame:
         system = System(
             np.empty((0, 3)), np.empty((0, 6)), self.cell, self.periodic, origin=self.origin, step=self.step, dimensions=dimensions
         )
-        system.source = self.source
+        system.source = printable(self.source)
         return system
 
     def _made(self, options: Options, arrays: tuple[Floats, ...], **others: Any) -> System:
