@@ -96,6 +96,7 @@ REFUSED = {
     # What a growth of bodies, an exponent or a level of confidence could be, a calibration, and more names of lengths and of turns
     **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the columns? {name.replace(',', ' ')} could change")
        for name in ("power", "dilation", "growth_factor", "multiplier", "confidence", "conf_level", "n_std", "superness", "um_per_px",
+                    "g1,g2", "hgt", "ht", "wdth", "thk", "lgth",
                     "z_step", "binning", "bmaj,bmin", "hwhm", "DC_Maj", "r_perp,r_par", "d50",
                     "x_len", "xdim", "sma", "coating", "box_x", "mirror", "handedness",
                     "eigvec1x", "pc1_x", "V1x", "rotmat00", "v_power", "i_mirror",
@@ -215,6 +216,8 @@ TABLES = {
     **{f"{name},x,y,z,radius\n7.1,0,0,0,1\n7.2,0,1.5,0,1": f"line 3: the column {name} has several values, 7.1 and 7.2" for name in
        ("seriesuid", "SeriesInstanceUID", "patient_id", "subject", "volume_id")},
     "track_id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n,5,0,0,1\n,7,0,0,1\n1,0,1.5,0,1": "line 6: the column track_id has 1 twice, as for one",
+    "agglomerate,x,y,z,radius\n0,0,0,0,1\n0,1,0,0,1\n1,9,0,0,1":
+        "line 3: the column agglomerate has 0 twice, as for one body .* of several spheres",
     "clump_id,x,y,z,radius\n0,0,0,0,1\n0,1,0,0,1\n1,9,0,0,1":
         "line 3: the column clump_id has 0 twice, as for one body .* of several spheres",
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,1,0\n2,9,5,4,1,0\n1,6.5,5,4,1,0":

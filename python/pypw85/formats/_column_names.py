@@ -108,7 +108,8 @@ _WITHIN_SIZES = _one_of(
 )
 _SIZE_NAMES = _one_of(
     # lengths
-    r"[abcdhlrsw] [abdhrsl][xyz0-3] [fv]?[rd](max|mid|int|min) rad len dia h[wh] sm[abc] x(dim|len|ext|rad) (dim|len|ext|rad)x "
+    r"[abcdhlrsw] [abdhrsl][xyz0-3] [fv]?[rd](max|mid|int|min) rad len lgth dia h[wh] hg?t wd?th wid thk sm[abc] "
+    r"x(dim|len|ext|rad) (dim|len|ext|rad)x "
     r"[bs](maj|min)(ax)? (err|dc|s)?maj (err|dc)min r(perp|par|half|eff|pol)\w* (um|nm|mm|microns?)perp\w* hwhm\w* hpbw\w* "
     r"foc(us|i)\w* r(inner|outer|in|out|core|shell) "
     # sizes of spheres that stand for bodies
@@ -117,7 +118,7 @@ _SIZE_NAMES = _one_of(
     r"(dims?|extents?|span|std|stdev|stddev|sd|var|variance|precision|rms|voxel|pixel)[abcxyz0-3] [xyz](err|unc) n(std|sig) "
     r"conf(idence)?(level)? quantile percentile chi2\w* "
     # shapes, ratios of lengths
-    r"(shape)?anisotropy z?anisotropy kappa ar ecc flat oval(ity|ness)? ba ca cb [abc](to|over)[abc] polydispersity gamma[12] "
+    r"(shape)?anisotropy z?anisotropy kappa ar ecc flat oval(ity|ness)? ba ca cb [abc](to|over)[abc] polydispersity g(amma)?[12] "
     r"shear[12xyz]{0,2} flinn\w* zingg\w* corey\w* csf morphology habit is\w*sphere "
     # elements of matrices, and eigenvalues
     r"tensor[\w\[\]]* (cov|rg)(xx|yy|zz|xy|xz|yz) (?!chi)[a-z]?(xx|yy|zz|xy|xz|yz) (?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3]) "
