@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Columns whose names could be those of a shape or a turn, and of which the values decide."""
 
+import warnings
+
 import pytest
 
 import pypw85
@@ -64,7 +66,7 @@ def dump(columns, *rows):
 
 QUATERNIONS = [("c_q", f"{HALF} 0 0 {HALF}", True), ("c_q", f"{-HALF} 0 0 {-HALF}", True), ("v_2", f"0 0 {HALF} {HALF}", True),
                ("c_q", "1 0 0 0", False), ("c_1", "0.6 0.8 0 0", False), ("c_flags", "1 0 0 0", True), ("c_ql", "0.1 0.2 0.3 0.1", True),
-               ("f_orientation", "1 0 0 0", False)]  # fmt: skip
+               ("f_orientation", "1 0 0 0", False), ("c_quat", "0.1 0.2 0.3 0.1", False), ("c_shape", "4 1 1 2", False)]  # fmt: skip
 
 
 @pytest.mark.parametrize(("name", "numbers", "is_read"), QUATERNIONS)
@@ -80,6 +82,36 @@ def test_second_quaternions(name, numbers, is_read, tmp_path):
         assert len(read(tmp_path / "a.dump", ignore_columns=columns.split())) == 2
 
 
+def test_most_rows_decide(tmp_path):
+    """Velocities may have the length 1 here and there, and directions may lack."""
+    text = f"{SPHERES},u,v,w\n0,0,0,1,{{}}\n0,0,9,1,{{}}\n0,0,18,1,{{}}\n"
+    assert len(read_text(tmp_path / "a.csv", text.format("0,0,1", "0,0,2", "0,0,3"))) == 3
+    for rows in (("0,0,1", "0,1,0", "0,0,3"), ("0,0,1", "0,0,0", "0,0,0")):
+        with pytest.raises(pypw85.FileError, match="the columns u v w could change .* because most rows have the length 1"):
+            read_text(tmp_path / "a.csv", text.format(*rows))
+
+
+def test_named_directions_stay(tmp_path):
+    """An option that says that a displacement is a direction is not ignored."""
+    text = f"{SPHERES},ux,uy,uz\n0,0,0,1,1,2,3\n0,0,9,1,1,2,3\n"
+    assert len(read_text(tmp_path / "a.csv", text)) == 2
+    with pytest.raises(pypw85.FileError, match="radius may be that of spheres, but there is also ux uy uz"):
+        read(tmp_path / "a.csv", direction_columns=["ux", "uy", "uz"])
+
+
+def test_order_of_second_quaternions(tmp_path):
+    """Equal orientations in the other order are these, but for numbers that are equal by chance."""
+    header = "2\nProperties=species:S:1:pos:R:3:aspherical_shape:R:3:orientation:R:4:quat:R:4\n"
+    row = "A 0 {} 0 2 .5 .5 0.1 0.3 0.5 0.8062257748298549 {}\n"
+    for quaternion in ("0.8062257748298549 0.1 0.3 0.5", "0.1 0.3 0.5 0.8062257748298549"):
+        assert len(read_text(tmp_path / "a.xyz", header + row.format(0, quaternion) + row.format(9, quaternion))) == 2
+    with pytest.raises(pypw85.FileError, match="a quaternion other than the one that is taken"):
+        read_text(tmp_path / "a.xyz", header + row.format(0, quaternion) + row.format(9, "0.3 0.1 0.5 0.8062257748298549"))
+    columns = " ".join(f"c_q[{k}]" for k in range(1, 5))
+    with pytest.raises(pypw85.FileError, match="a quaternion other than the one that is taken"):
+        read_text(tmp_path / "a.dump", dump(columns, "1 1 0 0 0 4 1 1 1 0 0 0 0 0 0 1"))
+
+
 def test_quaternions_of_spheres(tmp_path):
     """Spheres have none, and numbers of any size are compared."""
     columns = " ".join(f"c_2[{k}]" for k in range(1, 5))
@@ -87,7 +119,12 @@ def test_quaternions_of_spheres(tmp_path):
     with pytest.raises(pypw85.FileError, match="a quaternion other than the one that is taken"):
         read_text(tmp_path / "a.dump", dump(columns, *rows))
     large = rows[1].replace(f"{HALF} 0 0 {HALF}", "1e308 1e308 0 0")
-    assert len(read_text(tmp_path / "a.dump", dump(columns, rows[0], large))) == 2
+    (tmp_path / "a.dump").write_text(dump(columns, rows[0], large))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert len(pypw85.read(tmp_path / "a.dump")) == 2
+    sphere = f"2 1 0 1.5 0 0 0 0 0 0 0 0 {HALF} 0 0 {HALF} 0.5"
+    assert len(read_text(tmp_path / "a.dump", dump(f"{columns} radius", f"{rows[0]} 0", sphere))) == 2
 
 
 def test_properties_of_more_columns(tmp_path):
