@@ -19,6 +19,7 @@ from ._off import read_off
 from ._placed_nodes import refuse_placed_nodes
 from ._ply import Element, Header, Property, check_end, end_of, read_header, rows_of
 from ._typing import Floats
+from ._words import printable
 
 Path = str | os.PathLike[str]
 _HEADER_OF_STL = 84
@@ -47,7 +48,7 @@ def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
         raise
     except (Exception, SystemExit) as error:
         reason = " ".join((said.getvalue() or str(error)).split()).rstrip(".") or type(error).__name__
-        raise ValueError(f"{name}: {reason.removeprefix(f'{name}, ')}") from None
+        raise ValueError(printable(f"{name}: {reason.removeprefix(f'{name}, ')}")) from None
     points = np.asarray(content.points, dtype=np.float64)
     if points.ndim == 2 and points.shape[1] == 2:
         points = np.pad(points, ((0, 0), (0, 1)))

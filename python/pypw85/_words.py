@@ -25,3 +25,8 @@ def shown(value: Any) -> str:
         value = value.item()
     text = reprlib.repr(value) if value is None or isinstance(value, _SHOWN) else ""
     return text if text and "array(" not in text and "<" not in text else type(value).__qualname__
+
+
+def printable(text: str) -> str:
+    """Escapes control characters, so that text from a file neither breaks a line nor controls a terminal."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)

@@ -133,6 +133,12 @@ PAIRS = {
                f"0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
     "lengths of boxes": (f"x,y,z,length,width,height,qw,qx,qy,qz\n0,0,0,4,1,1,{UP}\n0,1.5,0,4,1,1,{UP}", {"lengths": "diameters"}, 0.375),
     "YADE": ("#format x_y_z_r_matId\n0\t0\t0\t0.5\t1\n0\t1.5\t0\t0.5\t1", {}, 1.5),
+    "prefix": ("ObjectNumber,Nuclei_AreaShape_Area,Nuclei_AreaShape_Center_X,Nuclei_AreaShape_Center_Y,Nuclei_AreaShape_MajorAxisLength,"
+               "Nuclei_AreaShape_MinorAxisLength,Nuclei_AreaShape_Orientation\n1,3,5,5,4,1,0\n2,3,5,6.5,4,1,0",
+               {"convention": "cellprofiler"}, 0.375),
+    "empty rows of a spreadsheet": ('x;y;z;radius\n0;0;0;0,5\n0;1,5;0;0,5\n;;;\n"";"";"";""\n', {}, 1.5),
+    "rotation_quaternion": ("x,y,z,a,b,c,rotation_quaternion_w,rotation_quaternion_x,rotation_quaternion_y,rotation_quaternion_z\n"
+                            f"0,0,0,2,.5,.5,{UP}\n0,1.5,0,2,.5,.5,{UP}", {}, 0.375),
     "percent": ("% x y z r\n0 0 0 0.5\n0 1.5 0 0.5", {}, 1.5),
     "empty end of names": ("x;y;z;radius;\n0;0;0;0,5\n0;1,5;0;0,5", {}, 1.5),
     "indexed director": ("x,y,z,a,b,director[1],director[2],director[3]\n5,5,5,2,0.5,0,1,0\n5,6.5,5,2,0.5,0,-3,0", {}, 0.375),
@@ -151,7 +157,7 @@ REFUSED = {
     "x,y,z,a,b,c,yaw,pitch,roll": "yaw pitch roll may be Euler angles of several sequences",
     "x,y,z,a,b,c,theta,phi": "theta phi may be the angle from the axis z .*--polar theta,phi",
     "x,y,z,a,b,c,theta": "theta may be the angle of ellipses in a plane, or a rotation in space: say --dimensions 2",
-    "x,y,z,radius,ux,uy,uz": "radius may be that of spheres, but there is also ux uy uz",
+    "x,y,z,radius,nx,ny,nz": "radius may be that of spheres, but there is also nx ny nz",
     "x,y,z,radius,theta_deg": "theta_deg may be the angle of ellipses",
     "x,y,z,a,b,qw,qx,qy,qz": "a b are two lengths, those of ellipses, and three dimensions need three",
     "x,y,z,a,b,c,qw,qx,qy,qz,tilt": "the column tilt could change the shapes or how they are turned, and is not used",
@@ -195,6 +201,13 @@ BAD = {
     "X,x,y,z,radius\n0,0,0,0,1": "the columns X and x may both be the position",
     "x,y,a,b,c,angle_deg\n0,0,1,2,3,30": "there are two coordinates, x y, and three lengths, a b c: write the third",
     "x,y,z,radius": "no row follows the names of the columns",
+    "# Gaus_id, Xposn, Yposn, Maj, Min, PA\n1, 2, 3, 4, 5, 6": "there is no column 'x', but Gaus_id Xposn Yposn Maj Min PA: rename",
+    "# made by a program, with words\n1 2 3 4 5 6": "there is no line with the names of the columns",
+    "x,y,z,radius\n,,,\n0,0,0,1": r"line 2: column 1 .x. must be a number",
+    "x,y,z,Radius [m],qw,qx,qy,qz\n0,0,0,1,1,0,0,0": r"--shape-columns 'Radius .m.,Radius .m.,Radius .m.' for spheres",
+    ",".join(f"{name}_AreaShape_{end}" for name in ("Cells", "Nuclei") for end in
+             ("Center_X", "Center_Y", "MajorAxisLength", "MinorAxisLength", "Orientation")) + "\n" + "1,1,4,1,0," * 2:
+        "there is no column 'x'",
     "x,y,z,radius\n0,0,0,inf": "line 2: particle 1 has a length that is not finite",
     "x,y,z,radius\n0,0,0,-1": "line 2: particle 1 has a length that is not positive",
     "x,y,z,radius\r0,0,0,1\r": "its lines end with carriage returns alone",

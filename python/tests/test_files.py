@@ -854,6 +854,9 @@ def test_messages_can_be_printed(file):
     with pytest.raises(pypw85.FileError) as raised:
         pypw85.read(file("x,y,z,radius\n1,2,\x1b[2J,1\n", "a\nb.csv"))
     assert str(raised.value).isprintable() and r"\x1b[2J" in str(raised.value)
+    with pytest.warns(UserWarning) as warned:
+        system = pypw85.read(file("x,y,z,\x9bradius (mm),name\x1b[2J\n1,2,3,4,5\n", "a.csv"), shape_columns=3 * ["\x9bradius (mm)"])
+    assert r"\x1b[2J" in system.source and all(map(str.isprintable, [system.source, *system.notes, str(warned[0].message)]))
 
 
 @pytest.fixture(params=SUFFIXES.values())

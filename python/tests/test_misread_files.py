@@ -27,6 +27,8 @@ REFUSED = {
                     "Q_12", "r11", "rmin,rmax", "d_max", "ellipsoid", "unit", "spacing", "pixel_um", "resolution", "b_to_a", "c/a", "ba",
                     "ellipticity", "ecc", "triaxiality", "acylindricity", "extent_x", "std_x", "Rg_xx", "tensor_00", "dim_x", "flatness",
                     "ovality", "slenderness", "rotvec_x", "Breadth3d", "Max caliper", "Feret", "hx", "fwhm_x", "voxel_x", "dpi")},
+    **{f"x,y,z,radius,{stem}_a,{stem}_b,{stem}_c": ({}, "0,0,0,1,1,1,1", f"the columns {stem}_a {stem}_b {stem}_c could")
+       for stem in ("var", "std", "rms")},
     "x,y,a,b,angle_deg,axis1,axis2": ({}, "0,0,2,1,0,4,2", "say what they are .--shape-columns, --angle-columns., or leave"),
     "x,y,z,a,b,c,axis1,axis2": ({}, "0,0,0,2,1,1,4,2", "say what they are .--shape-columns, --quaternion-columns, --euler, --polar or"),
     "x,y,z,radius,rw,rx,ry,rz": ({}, f"0,0,0,1,{UP}", "the column rw could change the shapes or how they are turned"),
@@ -94,6 +96,7 @@ REFUSED = {
     # What a growth of bodies, an exponent or a level of confidence could be, a calibration, and more names of lengths and of turns
     **{f"x,y,z,radius,{name}": ({}, f"0,0,0,1{',1' * (1 + name.count(','))}", f"the columns? {name.replace(',', ' ')} could change")
        for name in ("power", "dilation", "growth_factor", "multiplier", "confidence", "conf_level", "n_std", "superness", "um_per_px",
+                    "g1,g2", "hgt", "ht", "wdth", "thk", "lgth",
                     "z_step", "binning", "bmaj,bmin", "hwhm", "DC_Maj", "r_perp,r_par", "d50",
                     "x_len", "xdim", "sma", "coating", "box_x", "mirror", "handedness",
                     "eigvec1x", "pc1_x", "V1x", "rotmat00", "v_power", "i_mirror",
@@ -213,6 +216,8 @@ TABLES = {
     **{f"{name},x,y,z,radius\n7.1,0,0,0,1\n7.2,0,1.5,0,1": f"line 3: the column {name} has several values, 7.1 and 7.2" for name in
        ("seriesuid", "SeriesInstanceUID", "patient_id", "subject", "volume_id")},
     "track_id,x,y,z,radius\n1,0,0,0,1\n2,9,0,0,1\n,5,0,0,1\n,7,0,0,1\n1,0,1.5,0,1": "line 6: the column track_id has 1 twice, as for one",
+    "agglomerate,x,y,z,radius\n0,0,0,0,1\n0,1,0,0,1\n1,9,0,0,1":
+        "line 3: the column agglomerate has 0 twice, as for one body .* of several spheres",
     "clump_id,x,y,z,radius\n0,0,0,0,1\n0,1,0,0,1\n1,9,0,0,1":
         "line 3: the column clump_id has 0 twice, as for one body .* of several spheres",
     "label,centroid-0,centroid-1,axis_major_length,axis_minor_length,orientation\n1,5,5,4,1,0\n2,9,5,4,1,0\n1,6.5,5,4,1,0":
@@ -528,7 +533,8 @@ def test_ids_and_types_by_other_names(tmp_path):
 
 
 # Columns beside lengths and quaternions whose names sound like lengths or turns, and that hold neither
-HARMLESS = ("rotational_energy", "Rotational Kinetic Energy", "rotational_velocity_x", "information", "misorientation", "psi6", "psi_4",
+HARMLESS = ("length_travelled", "Distance moved", "EqDiameter3d (um)", "eq_radius", "q4", "rotational_energy",
+            "Rotational Kinetic Energy", "rotational_velocity_x", "information", "misorientation", "psi6", "psi_4",
             "phi_dot", "yaw_rate",
             "orientational_order", "track_length", "form_factor", "inertia_x", "moment_of_inertia_xx", "moment_inertia[2]",
             "c_orientorder[1]", "c_erotate", "f_inertia[1]", "c_cluster_size", "Cavity Radius", "deformation_gradient[1]", "label", "name",
@@ -801,6 +807,16 @@ STYLES = {
     "1 1 1 -0.3 0 0 0": "the fourth column must be the density > 0 of atom_style ellipsoid, not -0.3",  # charge, or LAMMPS refuses it
     "1 1 1 nan 0 0 0": "the fourth column must be the density > 0",
 }
+
+
+def test_bonded_spheres(tmp_path):
+    """bpm/sphere has the number of the molecule before the type, and then the columns of the style sphere."""
+    text = "of a test\n\n2 atoms\n9 atom types\n-9 9 xlo xhi\n-9 9 ylo yhi\n-9 9 zlo zhi\n\nAtoms # bpm/sphere\n\n"
+    system = read_text(tmp_path / "a.data", text + "1 7 3 1 5 0 0 0\n2 8 4 2 5 0 1.2 0\n")
+    assert system.types.tolist() == [3, 4] and system.semi_axes[:, 0].tolist() == [0.5, 1]
+    assert len(read_text(tmp_path / "a.data", text + "1 7 3 1 5 0 0 0 0 0 0\n2 8 4 2 5 0 1.2 0 0 0 1\n")) == 2
+    with pytest.raises(pypw85.FileError, match="7 columns, but atom_style bpm/sphere has 8 .id molecule type diameter .*, or 11"):
+        read_text(tmp_path / "a.data", text + "1 3 1 5 0 0 0\n2 4 2 5 0 1.2 0\n")
 
 
 @pytest.mark.parametrize("row", STYLES)

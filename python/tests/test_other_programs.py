@@ -198,8 +198,8 @@ def test_headers_of_tables(header, tmp_path):
 def test_two_dimensions(tmp_path):
     """Are never taken for three: not for statistics, not by relaxation, and not on the way through other formats."""
     for name in ("flat.dump", "flat_mixture.gsd", "flat_gas.gsd"):
-        with pytest.warns(UserWarning, match="two-dimensional"):
-            system = pypw85.read(FILES / name)
+        system = read(name)
+        assert "two-dimensional" in system.source + " ".join(system.notes)
         assert (system.dimensions, system.periodic) == (2, (True, True, False))
         axes = system.semi_axes
         area = system.cell[0, 0] * system.cell[1, 1]

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import pypw85
+from systems import read
 
 FILES = pathlib.Path(os.environ["PYPW85_SOURCE"]) / "fuzz" / "files"
 SUFFIXES = ("dump", "data", "gsd", "xyz", "h5", "csv")
@@ -250,8 +251,12 @@ def test_round_trip(suffix, rng, tmp_path):
         warnings.filterwarnings("error", message=".*dimensional")
         warnings.filterwarnings("ignore", message=".*(GSD)")
         pypw85.write(tmp_path / f"a.{suffix}", system, **({"precision": "double"} if suffix == "gsd" else {}))
-    with pytest.warns(UserWarning, match="taken as two-dimensional"):
+    with warnings.catch_warnings(record=True) as warned:
+        warnings.simplefilter("always")
         again = pypw85.read(tmp_path / f"a.{suffix}")
+    says = suffix not in ("dump", "data")
+    assert says == again.source.endswith("two-dimensional, as the file says")
+    assert [says or "taken as two-dimensional" in str(one.message) for one in warned] == [True] * (not says)
     assert (again.dimensions, again.periodic, again.packing_fraction) == (2, (True, True, False), system.packing_fraction)
     for name in ("centers", "semi_axes", "quaternions", "q", "cell", "origin"):
         np.testing.assert_array_equal(getattr(again, name), getattr(system, name))
@@ -324,8 +329,12 @@ ELLIPSES = {
 def test_tables_of_ellipses(header, tmp_path):
     path = tmp_path / "a.csv"
     path.write_text(f"# cell 9 0 0 9\n# origin 1 1\n# periodic T F\n{header}\n{ELLIPSES[header]}\n")
-    with pytest.warns(UserWarning, match="taken as two-dimensional"):
+    if header.startswith("# dimensions"):
         system = pypw85.read(path)
+        assert system.source.endswith("two-dimensional, as the file says") and not system.notes
+    else:
+        with pytest.warns(UserWarning, match="taken as two-dimensional"):
+            system = pypw85.read(path)
     assert system.dimensions == 2 and system.periodic == (True, False, False) and system.volume == 81
     assert system.centers.tolist() == [[1, 2, 0]] and system.origin.tolist() == [1, 1, -0.5]
     np.testing.assert_array_equal(system.semi_axes[:, :2], [[3, 1]])
@@ -398,8 +407,8 @@ def test_ellipses_in_other_formats(tmp_path):
     with h5py.File(tmp_path / "a.h5", "a") as file:
         file["particles/all/angle"].attrs["unit"] = "deg"
     for suffix in ("dump", "xyz", "h5"):
-        with pytest.warns(UserWarning, match="taken as two-dimensional"):
-            system = pypw85.read(tmp_path / f"a.{suffix}")
+        system = read(tmp_path / f"a.{suffix}")
+        assert "two-dimensional" in system.source + " ".join(system.notes)
         assert system.dimensions == 2 and system.volume == 81
         np.testing.assert_array_equal(np.concatenate([system.centers[0, :2], system.semi_axes[0, :2]]), [1, 2, 3, 1])
         np.testing.assert_allclose(system.angles, [np.pi / 6], rtol=0, atol=2 * U)
@@ -442,8 +451,8 @@ def test_seeds_of_microstructpy(tmp_path):
     text = ("Geometry: ellipse\ncenter: (np.float64(1.0), 2.0)\na: 3.0\nb: 1.0\nangle: 30.0\nphase: 1\nposition: (1.0, 2.0)\n"
             "Geometry: circle\nRadius: 2.0\nCenter: (9.0, 9.0)\nphase: 0\nposition: (9.0, 9.0)\n")  # fmt: skip
     (tmp_path / "a.txt").write_text(text)
-    with pytest.warns(UserWarning, match="taken as two-dimensional"):
-        system = pypw85.read(tmp_path / "a.txt")
+    system = pypw85.read(tmp_path / "a.txt")
+    assert system.source.endswith("two-dimensional, as the file says")
     assert system.dimensions == 2 and system.centers.tolist() == [[1, 2, 0], [9, 9, 0]] and system.types.tolist() == [1, 0]
     np.testing.assert_array_equal(system.semi_axes[:, :2], [[3, 1], [2, 2]])
     np.testing.assert_allclose(system.angles, [np.pi / 6, 0], rtol=0, atol=2 * U)
@@ -569,7 +578,7 @@ def test_picture(rng):
 def test_draw(suffix, run, rng, tmp_path):
     pypw85.write(tmp_path / "a.h5", gas(rng, 30))
     done = run("draw", tmp_path / "a.h5", tmp_path / f"a.{suffix}", "--contacts", "--size", 400)
-    assert done.status == 0 and "two-dimensional" in done.err
+    assert done.status == 0 and "two-dimensional" in done.out + done.err
     assert (tmp_path / f"a.{suffix}").stat().st_size > 1000
     done = run("draw", tmp_path / "a.h5", tmp_path / "a.html")
     assert done.status == 2 and "a page shows ellipsoids, but these are ellipses in a plane" in done.err

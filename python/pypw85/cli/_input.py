@@ -28,7 +28,7 @@ from ..formats import (
     no_frames,
 )
 from ..formats._errors import names_of_option
-from ..formats._frames import ANGLES, LENGTHS, ORDERS, SCALES
+from ..formats._options import ANGLES, LENGTHS, ORDERS, SCALES
 from .._rotations import SEQUENCES, is_sequence
 from .._system import System
 from .._words import counted

@@ -25,10 +25,10 @@ from .._bodies import Fit
 from .._choices import choice
 from .._numbers import instances, integer
 from .._system import System
-from .._words import counted, shown
+from .._words import counted, printable, shown
 from . import csv, ds9, gsd, hdf5, labels, lammps_data, lammps_dump, microstructpy, mjcf, obj, ply, sdf, splats, stl, vtk, xyz
 from ._conventions import CONVENTION_NAMES, NONE
-from ._errors import FileError, printable
+from ._errors import FileError
 from ._files import (
     STANDARD_OUTPUT,
     Path,
@@ -41,7 +41,8 @@ from ._files import (
     refuse_standard_output,
     replacing,
 )
-from ._frames import Frame, Location, Options
+from ._frames import Frame, Location
+from ._options import Options
 from ._names import type_names
 
 __all__ = [

@@ -50,7 +50,7 @@ _QUADRUPLE = ("[1]", "[2]", "[3]", "[4]")
 QUATERNIONS: list[tuple[str, list[Names], str]] = [
     (r".*(?:wxyz|wijk|scalarfirst|wfirst)", [_QUADRUPLE], "wxyz"),
     (r".*(?:xyzw|ijkw|scalarlast|wlast)", [_QUADRUPLE], "xyzw"),
-    ("(?:field|pose|body|particle|ellipsoid|grain)*(?:quat|q|quaternion|quaternions|quats|orientation|orient|ori|rotation|rot)",
+    ("(?:field|pose|body|particle|ellipsoid|grain)*(?:(?:orientation|rotation|rot)?(?:quat|q|quaternion|quaternions|quats)|orientation|orient|ori|rotation|rot)",
      _LETTERS, "wxyz"),
     ("orientation", [_QUADRUPLE], "xyzw"),
     ("quat", [("1", "2", "3", "4")], "wxyz"),  # of LIGGGHTS
@@ -108,16 +108,17 @@ _WITHIN_SIZES = _one_of(
 )
 _SIZE_NAMES = _one_of(
     # lengths
-    r"[abcdhlrsw] [abdhrsl][xyz0-3] [fv]?[rd](max|mid|int|min) rad len dia h[wh] sm[abc] x(dim|len|ext|rad) (dim|len|ext|rad)x "
+    r"[abcdhlrsw] [abdhrsl][xyz0-3] [fv]?[rd](max|mid|int|min) rad len lgth dia h[wh] hg?t wd?th wid thk sm[abc] "
+    r"x(dim|len|ext|rad) (dim|len|ext|rad)x "
     r"[bs](maj|min)(ax)? (err|dc|s)?maj (err|dc)min r(perp|par|half|eff|pol)\w* (um|nm|mm|microns?)perp\w* hwhm\w* hpbw\w* "
     r"foc(us|i)\w* r(inner|outer|in|out|core|shell) "
     # sizes of spheres that stand for bodies
     r"(rad|r)eq e[cs]d d[1-9]0 [rd](eq|equiv|mean|avg|ave|median|vir|vol|hyd) rg rf sieve "
     # spreads, and how many of them a length is
-    r"(dims?|extents?|span|std|stdev|stddev|sd|var|variance|precision|rms|voxel|pixel)[xyz0-3] [xyz](err|unc) n(std|sig) "
+    r"(dims?|extents?|span|std|stdev|stddev|sd|var|variance|precision|rms|voxel|pixel)[abcxyz0-3] [xyz](err|unc) n(std|sig) "
     r"conf(idence)?(level)? quantile percentile chi2\w* "
     # shapes, ratios of lengths
-    r"(shape)?anisotropy z?anisotropy kappa ar ecc flat oval(ity|ness)? ba ca cb [abc](to|over)[abc] polydispersity gamma[12] "
+    r"(shape)?anisotropy z?anisotropy kappa ar ecc flat oval(ity|ness)? ba ca cb [abc](to|over)[abc] polydispersity g(amma)?[12] "
     r"shear[12xyz]{0,2} flinn\w* zingg\w* corey\w* csf morphology habit is\w*sphere "
     # elements of matrices, and eigenvalues
     r"tensor[\w\[\]]* (cov|rg)(xx|yy|zz|xy|xz|yz) (?!chi)[a-z]?(xx|yy|zz|xy|xz|yz) (?![cfv]\d)[a-z]{1,2}(0[0-2]|[123][0-3]) "
@@ -158,7 +159,7 @@ _TURN_NAMES = _one_of(
 TURNS = re.compile(f".*{_WITHIN_TURNS}.*|{_TURN_NAMES}")
 # Those of other things: stresses, velocities, contacts, positions, counts
 OTHERS = re.compile(_one_of(
-    r"(bond|cluster|group|sample|batch|step|wave|track|path)\w*(length|size|width) "
+    r"(length|distance)(travell?ed|moved)\w* (bond|cluster|group|sample|batch|step|wave|track|path)\w*(length|size|width) "
     r"temperature\w* charge\w* mass\w* density\w* (stress|strain|virial|pressure|force|torque|velocity)\w* c?stress\[\d\] "
     r"number(?!of(corners|fac|edges|sides|vert))\w* .*neighbou?rs? eulernumber eulercharacteristic "
     r"rot\w*(energy|velocity|temperature|momentum)[xyz]? orient(ational)?order(parameter)?(\[\d+\])? psi[468] erotate\w* "
@@ -171,7 +172,7 @@ _WITHIN_DERIVED = _one_of(
     r"cylindric triaxial slender feret caliper calliper gyrat equivalent bounding bbox inscr"
 )
 _DERIVED_NAMES = _one_of(
-    r"ecc oval(ity|ness)? ba ca cb [abc](to|over)[abc] perim\w* (shape)?anisotropy ar (form|shape)factor "
+    r"eq(uiv)?(diam|rad)\w* ecc oval(ity|ness)? ba ca cb [abc](to|over)[abc] perim\w* (shape)?anisotropy ar (form|shape)factor "
     r"(moments?(of)?)?inertia[\w\[\]]* i(xx|yy|zz|xy|xz|yz)"
 )
 DERIVED = re.compile(f"(?!.*(pixel|voxel|zaspect|zratio|zanis)).*{_WITHIN_DERIVED}.*|{_DERIVED_NAMES}")

@@ -7,9 +7,10 @@ import numpy as np
 
 from .._typing import Floats
 from ._column_names import SPHERES, plain_name
-from ._columns import Taken
+from ._doubts import check_doubts
 from ._frames import Frame
 from ._table import Table
+from ._taken import Taken
 from ._turns import Turn
 
 
@@ -31,6 +32,7 @@ def fill(frame: Frame, taken: Taken, table: Table) -> None:
     frame.lengths, frame.order, frame.source, frame.has_columns = taken.lengths, taken.order, taken.source, True
     frame.notes += taken.notes
     _turn(frame, taken.turn, table)
+    check_doubts(frame, taken.doubts, table)
 
 
 def _turn(frame: Frame, turn: Turn, table: Table) -> None:

@@ -8,15 +8,13 @@ read is refused.
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 
 from . import _turns
 from ._column_names import (
     ASK,
     BRACKETS,
     COLORS,
-    DERIVED,
     EXPONENTS,
     FUNCTIONS,
     LENGTHS,
@@ -24,11 +22,9 @@ from ._column_names import (
     MORE_THAN_UNITS,
     OF_SEVEN,
     OF_ZEROS,
-    OTHERS,
     QUANTITIES,
     QUATERNIONS,
     RATIOS,
-    SIZES,
     SOUND_EITHER,
     SOUND_HALF,
     SOUND_WHOLE,
@@ -36,49 +32,22 @@ from ._column_names import (
     SPHEROIDS,
     Names,
     first,
-    matches,
     order_of_letters,
     plain_name,
-    sounds_like_turn,
 )
 from ._comments import Meaning
-from ._conventions import NONE, Convention, is_harmless, named, possible, possible_ellipses, recognised
+from ._conventions import NONE, Convention, named, possible, possible_ellipses, recognised
 from ._errors import FileError, for_option
-from ._frames import Options, lengths_in_words
+from ._options import Options, lengths_in_words
+from ._taken import Taken
 from ._turns import Turn
+from ._unused import check_unused
 
 Error = Callable[[str], FileError]
 _SHAPE_OF_SMD = ("{} may be lengths of property/atom, which are diameters, or of smd/tlsph/shape, which are radii: say which "
                  "(--lengths diameters or --lengths radii)")  # fmt: skip
 _TWO_ORDERS = ("{} is x y z w for OVITO and moltemplate, and w x y z for others: use --quaternion xyzw or --quaternion wxyz")
 _WHOLE_OR_HALF = ("{} may be whole axes or semi-axes: use --lengths diameters or --lengths radii")
-_UNUSED = ("the column {0} could change the shapes or how they are turned, and is not used: say what it is ({1}), or leave it out "
-           "(--ignore-columns {2})")  # fmt: skip
-_SEVERAL_UNUSED = ("the columns {0} could change the shapes or how they are turned, and are not used: say what they are ({1}), or leave "
-                   "them out (--ignore-columns {2})")  # fmt: skip
-
-
-class Taken(NamedTuple):
-    """Columns that are read from a table. `spheroid` is empty where `shape` are the lengths themselves; otherwise the first of two columns
-    is the length across the axis of revolution, and the second "length", that along it, or "ratio", that over the first; `factors` make
-    them `lengths`.
-    `sphere` is the size of particles whose lengths are all 0; `turn` says how particles are turned that have no quaternions."""
-
-    shape: Names
-    lengths: str
-    quaternion: Names
-    order: str
-    sphere: Names
-    exponents: list[tuple[str, tuple[float, ...]]]
-    source: str
-    notes: list[str]
-    turn: Turn
-    spheroid: str = ""
-    factors: tuple[float, float] = (1.0, 1.0)
-
-    @property
-    def columns(self) -> Iterator[str]:
-        yield from (*self.shape, *self.quaternion, *self.sphere, *(name for name, _ in self.exponents), *self.turn.columns)
 
 
 def meaning_of(taken: Taken, options: Options, has_convention: bool = False, has_units: bool = False) -> Meaning:
@@ -119,10 +88,10 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     _check_brackets([*known, *taken.columns], error)
     _check_twins(others, taken, error)
     _turns.check_units(taken.turn.columns, error)
-    _check_unused(columns, taken, [*known, *colors], options, error, is_flat, convention)
+    doubts = check_unused(columns, taken, [*known, *colors], options, error, is_flat, convention)
     _check_options(taken, options, error)
     unused = " ".join(name for name in dict.fromkeys(columns) if name not in {"", *known, *taken.columns})
-    return taken._replace(source=", ".join(filter(None, [taken.source, unused and f"columns that are not used: {unused}"])))
+    return taken._replace(doubts=doubts, source=", ".join(filter(None, [taken.source, unused and f"columns that are not used: {unused}"])))
 
 
 def _colors(columns: Sequence[str], options: Options, is_flat: bool) -> list[str]:
@@ -239,9 +208,10 @@ def _by_names(columns: Sequence[str], plain: dict[str, str], options: Options, e
     exponents = [(plain[name], values) for name, values in EXPONENTS if name in plain]
     if not shape and sphere and quaternion and options.shape is None:
         raise error(f"there are quaternions, but no shapes: {sphere[0]} may be that of the circumscribed sphere, as in LAMMPS since "
-                    f"2026: write shapes, name their columns (--shape-columns {','.join(3 * sphere)} for spheres), or give one "
+                    f"2026: write shapes, name their columns (--shape-columns {for_option(3 * sphere)} for spheres), or give one "
                     "shape for all particles (--shape)")  # fmt: skip
     if not shape and sphere:
+        turn = Turn() if turn.may_be_velocity and not options.direction_columns else turn
         if turn.kind:
             raise error(f"{sphere[0]} may be that of spheres, but there is also {' '.join(turn.columns)}: name columns of lengths "
                         f"(--shape-columns), or leave these out (--ignore-columns {for_option(turn.columns)})")  # fmt: skip
@@ -290,39 +260,6 @@ def _shape_or_spheroid(columns: Sequence[str], plain: dict[str, str], options: O
         raise error(f"{' '.join(shape)} are two lengths, those of ellipses, and three dimensions need three: say --dimensions 2, or name "
                     "three (--shape-columns, with one of them twice for spheroids)")  # fmt: skip
     return shape, lengths, "", (1.0, 1.0)
-
-
-def _check_unused(columns: Sequence[str], taken: Taken, known: Sequence[str], options: Options, error: Error, is_flat: bool,
-                  convention: Convention | None) -> None:  # fmt: skip
-    """Refuses columns that could change bodies and are not used."""
-    used = {*known, *taken.columns}
-    has_all = len(taken.shape) > 1
-    names_turns = options.quaternion_columns or options.angle_columns or options.polar or options.direction_columns
-    says_sizes = options.shape_columns or (not taken.shape and (options.shape is not None or options.shapes))
-    exponents = _possible_exponents(columns, len(taken.shape))
-    found: dict[str, tuple[bool, bool]] = {}  # names, and whether these are of lengths and of turns
-    for name in columns:
-        plain = plain_name(name)
-        if name in used or matches(OTHERS, name) or (convention is not None and is_harmless(convention, plain)):
-            continue
-        if _turns.is_other_unit(name, taken.turn) or (has_all and not taken.spheroid and matches(DERIVED, name)):
-            continue
-        is_size, is_turn = matches(SIZES, name) or name.lower() in exponents, sounds_like_turn(name)
-        if (is_size and not says_sizes) or (is_turn and not names_turns):
-            found[name] = is_size, is_turn
-    if found:
-        sizes, turns = map(any, zip(*found.values()))
-        how_turned = "--angle-columns" if is_flat else "--quaternion-columns, --euler, --polar or --direction-columns"
-        how = ", ".join(["--shape-columns"] * sizes + [how_turned] * turns)
-        raise error((_UNUSED if len(found) == 1 else _SEVERAL_UNUSED).format(" ".join(found), how, for_option(found)))
-
-
-def _possible_exponents(columns: Sequence[str], lengths: int) -> set[str]:
-    """Letters that may be exponents of superquadrics: m beside n, as in MFIX, and n or p beside three lengths. A first column of that name
-    numbers the rows."""
-    names = [*map(str.lower, columns)]
-    pair = {"m", "n"} if {"m", "n"} <= {*names} else set[str]()
-    return pair | ({"n", "p"} - {names[0]} if lengths == 3 else set[str]())
 
 
 def is_liggghts(plain: dict[str, str]) -> bool:

@@ -25,7 +25,8 @@ class Convention(NamedTuple):
     same body. `rows` are the columns of a file without names. No angle of the program is larger than `largest`, unless that is 0. `run` is
     the program of Debian 12 that wrote the table which the tests read, empty where none was run.
 
-    If `is_reversed`, versions of the program have the other sign for angles of exactly an eighth of a turn.
+    If `has_prefix`, the names may begin with that of the object. If `is_reversed`, versions of the program have the other sign for angles
+    of exactly an eighth of a turn.
     Of ellipses, `offsets` are two columns that are added to the centres, and `third` is the coordinate of their plane. Beneath the names
     there are up to `heads` lines of other names and of units.
     """
@@ -51,10 +52,20 @@ class Convention(NamedTuple):
     third: str = ""
     heads: int = 0
     is_reversed: bool = False
+    has_prefix: bool = False
 
     def find(self, plain: Collection[str]) -> tuple[Names, Names, Names] | None:
-        """The names of centres, lengths and angles; None if not all are there."""
-        found = [next((one for one in names if set(one) <= set(plain)), None) for names in (self.centers, self.lengths, self.angles)]
+        """The names of centres, lengths and angles; None if not all are there, or if objects of several names have them."""
+        prefixes = {""}
+        if self.has_prefix:
+            prefixes |= {name.removesuffix(self.lengths[0][0]) for name in plain if name.endswith(self.lengths[0][0])}
+        found = [names for prefix in prefixes if (names := self._find(plain, prefix)) is not None]
+        return found[0] if len(found) == 1 else None
+
+    def _find(self, plain: Collection[str], prefix: str) -> tuple[Names, Names, Names] | None:
+        """Looks for names that all have a prefix."""
+        found = [next((one for names in group if set(one := tuple(prefix + name for name in names)) <= set(plain)), None)
+                 for group in (self.centers, self.lengths, self.angles)]  # fmt: skip
         return None if None in found else (found[0] or (), found[1] or (), found[2] or ())
 
     def is_certain(self, plain: Collection[str]) -> bool:
@@ -189,7 +200,7 @@ CONVENTIONS: list[Convention] = [
         "cellprofiler", "CellProfiler 4, MeasureObjectSizeShape",
         (("areashapecenterx", "areashapecentery"), ("locationcenterx", "locationcentery")),
         (("areashapemajoraxislength", "areashapeminoraxislength"),), "diameters", (("areashapeorientation",),), zero="y", sense="yx",
-        first="0", harmless=r"areashape\w*", is_reversed=True,
+        first="0", harmless=r"\w*areashape\w*", is_reversed=True, has_prefix=True,
     ),
     Convention(
         "dream3d", "DREAM.3D 6.5, Write Feature Data as CSV File", (("centroids0", "centroids1", "centroids2"),),

@@ -10,6 +10,8 @@ import shlex
 from typing import Any, TypeVar, cast
 from collections.abc import Callable, Iterable
 
+from .._words import printable
+
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 
@@ -38,11 +40,6 @@ class FileError(ValueError):
 
 
 FileError.__module__ = "pypw85"
-
-
-def printable(text: str) -> str:
-    """Escapes control characters, so that text from a file neither breaks a line nor controls a terminal."""
-    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
 def for_option(names: Iterable[str]) -> str:

@@ -11,7 +11,8 @@ import numpy as np
 from .._typing import Floats
 from .._words import counted
 from ._errors import FileError
-from ._frames import Frame, Location, Options
+from ._frames import Frame, Location
+from ._options import Options
 
 # The form holds squares. Its rounding errors are about 2⁻⁵³ of the largest, so a smaller ratio would be lost among them.
 FLATTEST = 2.0**-26

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._system import System
-from ._errors import printable
+from .._words import printable
 
 # Arrays of strings have room for the longest name in every row, so a long name would need much memory. 255 is the limit for names
 # of files, too.

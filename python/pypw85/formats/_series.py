@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ._column_names import matches, plain_name
 from ._conventions import Convention
 from ._errors import for_option
-from ._frames import Options
+from ._options import Options
 from ._table import Lines, Table
 
 # What may follow a word that names a series
@@ -28,8 +28,8 @@ _PICTURES = re.compile(r"(metadata)?(well|site|field|fieldofview|fov|tile|crop|p
                        rf"{_END}")  # fmt: skip
 # Columns with the same value for one body at several times or for the spheres of one body, and of tables of pictures those that number
 # the bodies of each
-_TRACKS = re.compile(rf"(track|trajectory|traj|clump|rigid(body)?|multisphere){_END}|idmultisphere|"
-                     r"body(id|no|nr|num|number|index|idx)")
+_TRACKS = re.compile(rf"(track|trajectory|traj|clump|rigid(body)?|multisphere|glued(sphere)?|metaparticle|agglomerate){_END}|"
+                     r"idmultisphere|body(id|no|nr|num|number|index|idx)")
 _LABELS = re.compile(r"labels?|object(number|id|label)")
 # Labels of ImageJ are TITLE:REGION:SLICE; REGION and SLICE may lack (Analyzer.getFileName, 1.53t). A region of a stack has the
 # name SLICE-Y-X (RoiManager.getLabel).

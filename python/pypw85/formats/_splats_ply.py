@@ -14,7 +14,7 @@ from .._ply import Header, check_end, read_header, rows_of
 from .._typing import Floats
 from . import _comments
 from ._errors import FileError, for_option
-from ._frames import Options
+from ._options import Options
 from ._gaussians import Gaussians
 
 _POSITION, _ROTATION = ["x", "y", "z"], [f"rot_{k}" for k in range(4)]

@@ -17,7 +17,7 @@ from .._typing import Floats
 from .._words import counted
 from ._conventions import Convention, sense_in_words, sequence_in_words
 from ._errors import FileError, for_option
-from ._frames import Options
+from ._options import Options
 from ._table import Table
 
 Names = tuple[str, ...]
@@ -101,6 +101,11 @@ class Turn(NamedTuple):
     def is_of_longest_axis(self) -> bool:
         """Returns whether a direction is that of the longest axis, by its name."""
         return self.kind == "direction" and base(self.columns[0])[0].startswith("major")
+
+    @property
+    def may_be_velocity(self) -> bool:
+        """Returns whether a direction may be a displacement or a velocity, by its name."""
+        return self.kind == "direction" and base(self.columns[0])[0] == "ux"
 
     def describe(self) -> str:
         if not self.kind:

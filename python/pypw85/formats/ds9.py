@@ -12,7 +12,8 @@ import numpy as np
 
 from .._system import System
 from ._conventions import named, sense_in_words
-from ._frames import Frame, Location, Options
+from ._frames import Frame, Location
+from ._options import Options
 from ._table import Lines
 
 SUFFIXES: tuple[str, ...] = ()

@@ -28,7 +28,8 @@ from .._words import counted
 from ._boxes import box, lost_periodicity
 from ._errors import FileError, for_option, guarded
 from ._files import check_input, locked, replacing
-from ._frames import Frame, Location, Options, check_lengths_of_names
+from ._frames import Frame, Location, check_lengths_of_names
+from ._options import Options
 from ._names import Rule, checked_names, type_names
 
 SUFFIXES = (".gsd",)

@@ -27,7 +27,8 @@ from ._column_names import could_change
 from ._comments import Meaning, check
 from ._errors import FileError, for_option, guarded
 from ._files import check_input, checksum
-from ._frames import Frame, Location, Options, check_lengths_of_names
+from ._frames import Frame, Location, check_lengths_of_names
+from ._options import Options
 from ._names import checked_names, numbers_if_all_are
 from ._series import columns_of_clumps
 

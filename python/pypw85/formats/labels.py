@@ -14,7 +14,8 @@ from .._images import from_labels
 from .._system import System
 from ._errors import FileError, guarded
 from ._files import check_input
-from ._frames import Frame, Location, Options
+from ._frames import Frame, Location
+from ._options import Options
 
 SUFFIXES: tuple[str, ...] = ()
 

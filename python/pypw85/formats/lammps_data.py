@@ -15,13 +15,17 @@ from .._typing import Floats
 from ._boxes import bounds, check_bounds, lost_periodicity, numbered_types
 from ._columns import describe
 from ._errors import FileError
-from ._frames import Frame, Location, Options, lost_dimensions
+from ._dimensions import lost_dimensions
+from ._frames import Frame, Location
+from ._options import Options
 from ._names import ONE_WORD, PRINTED, checked_names, numbers_if_all_are, type_names
 from ._table import Lines, Table, write_rows
 
 SUFFIXES = (".data", ".lmp")
 _ATOMS = ["id", "type", "ellipsoid", "density", "x", "y", "z"]
 _SPHERES = ["id", "type", "diameter", "density", "x", "y", "z"]
+_BONDED_SPHERES = ["id", "molecule", *_SPHERES[1:]]
+_COLUMNS = {"sphere": _SPHERES, "bpm/sphere": _BONDED_SPHERES, "ellipsoid": _ATOMS}
 # The flag of atom_style ellipsoid in a hybrid style
 _FLAG = "flag"
 _ELLIPSOIDS = ["id", "shapex", "shapey", "shapez", "quatw", "quati", "quatj", "quatk"]
@@ -153,13 +157,14 @@ def _columns_of_atoms(lines: Lines, hint: list[str], words: int) -> list[str]:
     if style == "hybrid":
         flag = [_FLAG] if hint[1:2] == ["ellipsoid"] else []  # of the first of its styles
         return ["id", "type", "x", "y", "z", *flag] + [f"column {k}" for k in range(6 + len(flag), words + 1)]
-    if style in _STYLES_WITHOUT_SHAPES:
+    if style in _STYLES_WITHOUT_SHAPES and hint[0] != "bpm/sphere":
         raise lines.error(f"atom_style {hint[0]} has no shapes: write the file with atom_style ellipsoid")
-    name, columns = ("sphere", _SPHERES) if style == "sphere" else ("ellipsoid", _ATOMS)
+    name = hint[0] if hint and hint[0] in _COLUMNS else "ellipsoid"
+    columns = _COLUMNS[name]
     if words not in (len(columns), len(columns) + 3):
-        raise lines.error(f"{words} columns, but atom_style {name} has 7 ({' '.join(columns)}), or 10 with the numbers of images: "
-                          "if these are atoms of a hybrid style, write 'Atoms # hybrid'")  # fmt: skip
-    return columns + ["ix", "iy", "iz"] * (words == 10)
+        raise lines.error(f"{words} columns, but atom_style {name} has {len(columns)} ({' '.join(columns)}), or {len(columns) + 3} with "
+                          "the numbers of images: if these are atoms of a hybrid style, write 'Atoms # hybrid'")  # fmt: skip
+    return columns + ["ix", "iy", "iz"] * (words > len(columns))
 
 
 def _take_shapes(frame: Frame, atoms: Table, ellipsoids: Table | None) -> None:

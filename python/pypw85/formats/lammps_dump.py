@@ -15,12 +15,15 @@ from .._typing import Floats
 from ._boxes import bounds, check_bounds, numbered_types
 from ._column_names import UNIT_AT_END
 from ._column_values import fill
-from ._columns import Taken, take
+from ._columns import take
 from ._errors import for_option
-from ._frames import Frame, Location, Options, lost_dimensions
+from ._dimensions import lost_dimensions
+from ._frames import Frame, Location
+from ._options import Options
 from ._names import ONE_WORD, PRINTED, checked_names
 from ._series import check_clumps, columns_of_clumps
 from ._table import Lines, coded, locate_frames, write_rows
+from ._taken import Taken
 
 SUFFIXES = (".dump", ".lammpstrj")
 _POSITIONS = (("x", "y", "z"), ("xu", "yu", "zu"), ("xs", "ys", "zs"), ("xsu", "ysu", "zsu"))
@@ -66,7 +69,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
                      len(positions) == 2)  # fmt: skip
         _check_turned(header, taken, lines)
         clumps = columns_of_clumps(header.columns, options)
-        wanted = ["id", _type_column(header.columns), *positions, *taken.columns, *clumps]
+        wanted = ["id", _type_column(header.columns), *positions, *taken.checked, *clumps]
         table = lines.table(header.particles, header.columns, [_LABEL], wanted=wanted)
         check_clumps(table, clumps, lines)
     centers = table.stack(positions)

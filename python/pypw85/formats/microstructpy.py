@@ -12,7 +12,8 @@ import numpy as np
 from .._rotations import product, quaternions_of_euler
 from .._system import System, quaternions_of
 from .._typing import Floats
-from ._frames import Frame, Location, Options
+from ._frames import Frame, Location
+from ._options import Options
 from ._table import Lines
 
 SUFFIXES: tuple[str, ...] = ()

@@ -11,7 +11,8 @@ from collections.abc import Iterator
 from .._system import System
 from ._errors import FileError, guarded
 from ._files import check_input, is_compressed
-from ._frames import Location, Options
+from ._frames import Location
+from ._options import Options
 from ._gaussians import Gaussians, frame_of
 from ._splats_packed import SPZ as SPZ, read_splat, read_spz
 from ._splats_ply import read_ply

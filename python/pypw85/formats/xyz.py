@@ -21,12 +21,15 @@ from . import _comments
 from ._boxes import SAYS_CELL
 from ._column_names import could_change
 from ._column_values import fill
-from ._columns import Taken, meaning_of, take
+from ._columns import meaning_of, take
 from ._errors import for_option
-from ._frames import Frame, Location, Options, said_dimensions
+from ._dimensions import said_dimensions
+from ._frames import Frame, Location
+from ._options import Options
 from ._names import ONE_WORD, PRINTED, checked_names, type_names
 from ._series import check_clumps, columns_of_clumps
 from ._table import Lines, Table, coded, locate_frames, write_rows
+from ._taken import Taken
 
 SUFFIXES = (".xyz", ".extxyz")
 _NUMBER = re.compile(rb"[-+]?[0-9]*\.?[0-9]*(?:[eE][-+]?[0-9]+)?")
@@ -113,7 +116,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         periodic = lines.flags(keys.get("pbc", "T T T"), "pbc")
         step = lines.whole(keys.get("Timestep", "0"), "Timestep", -(2**63))
         clumps = [name for name in columns_of_clumps(columns, options) if name not in text]
-        wanted = ["id", *_TYPES, *positions, *taken.columns, *clumps]
+        wanted = ["id", *_TYPES, *positions, *taken.checked, *clumps]
         table = lines.table(count, columns, text, wanted=wanted)
         check_clumps(table, clumps, lines)
         _check_names(keys, table, lines)
