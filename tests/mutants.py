@@ -280,7 +280,7 @@ PYTHON_MUTANTS = [
     ("_poses.py", "rotation2.T @ rotation1))", "rotation1))", "test_poses.py common_motions"),
     ("_poses.py", " or np.linalg.det(given) < 0", "", "test_poses.py wrong_poses"),
     ("_structure.py", "len(multiples) // 2 + 1 :", "len(multiples) // 2 :", "test_structure.py"),
-    ("_structure.py", "reach / (2 * np.pi)).astype", "reach / (4 * np.pi)).astype", "test_structure.py"),
+    ("_structure.py", "* reach / (2 * np.pi)", "* reach / (4 * np.pi)", "test_structure.py"),
     ("_structure.py", "np.abs(density_modes(system, multiples)) ** 2 / len", "np.abs(density_modes(system, multiples)) / len",
      "test_structure.py"),
     ("_structure.py", "np.pi / limits[0] * (1 + 2.0**-40))", "np.pi / limits[0] * (1 - 2.0**-40))", "test_structure.py"),

@@ -109,6 +109,10 @@ class Displacements(NamedTuple):
     rotation_error: Floats
 
 
+# More multiples of one reciprocal vector than memory can hold; whole numbers of 64 bits hold it and its double.
+_MOST_MULTIPLE = 2.0**40
+
+
 def wave_vectors(system: System, reach: float) -> tuple[Ints, Floats]:
     """Wave vectors of a periodic cell up to a given length. Of q and -q only one is listed, and 0 is not listed.
 
@@ -130,6 +134,8 @@ def wave_vectors(system: System, reach: float) -> tuple[Ints, Floats]:
     ------
     ValueError
         There is no cell, or it is not periodic along its vectors; or `reach` is not positive.
+    MemoryError
+        There is not enough memory for the wave vectors.
 
     Examples
     --------
@@ -142,8 +148,11 @@ def wave_vectors(system: System, reach: float) -> tuple[Ints, Floats]:
     reciprocal, reach = _reciprocal(system), positive(reach, "wave_vectors: reach")
     assert system.cell is not None
     # |n_k| = |q·a_k|/2π <= |q| |a_k|/2π for the vectors a_k of the cell
-    most = np.floor(np.linalg.norm(system.cell, axis=1) * reach / (2 * np.pi)).astype(np.int64)
-    most[system.dimensions :] = 0
+    multiple = np.linalg.norm(system.cell, axis=1)[: system.dimensions] * reach / (2 * np.pi)
+    if not multiple.max() < _MOST_MULTIPLE:
+        raise MemoryError(f"there is not enough memory for all wave vectors up to the length {reach:g}")
+    most = np.zeros(3, dtype=np.int64)
+    most[: system.dimensions] = np.floor(multiple)
     multiples = np.stack(np.meshgrid(*(np.arange(-m, m + 1) for m in most), indexing="ij"), axis=-1).reshape(-1, 3)
     multiples = multiples[len(multiples) // 2 + 1 :]  # the others are their negatives, and 0 is between them
     vectors = multiples @ reciprocal

@@ -30,6 +30,13 @@ def gas(rng, n=300, cell=TRICLINIC, axes=ROD, **others):
     return system_of(rng.uniform(size=(n, 3)) @ cell, np.tile(axes, (n, 1)), turns, cell, **others)
 
 
+@pytest.mark.parametrize("reach", [1e13, 1e300])
+def test_wave_vectors_beyond_memory(reach, rng):
+    """Also where their multiples are beyond whole numbers of 64 bits: no empty list is returned."""
+    with pytest.raises(MemoryError, match="there is not enough memory for all wave vectors up to the length 1e.*"):
+        pypw85.wave_vectors(gas(rng, 1), reach)
+
+
 def test_wave_vectors_are_those_of_the_cell(rng):
     """exp(i q·a) is 1 for each vector a of the cell, and all such q up to the reach are there, one of each and its negative."""
     multiples, vectors = pypw85.wave_vectors(gas(rng, 1), 5.0)

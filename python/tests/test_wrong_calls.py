@@ -139,6 +139,7 @@ WRONG = [
     ("plot start.xyz a.png --bins 1e9", "Invalid value for '--bins': must be a whole number from 1 to 1000000, not '1e9'"),
     ("plot start.xyz a.html", r"^pw85: a\.html: the name of a picture must end with one of (?!.*html)"),
     ("plot start.xyz a.png --frames 7:9", "there are no frames 7:9: the file has one frame, 0"),
+    ("check start.xyz --frames 99999999999999999999", "there is no frame 99999999999999999999: the file has one frame, 0"),
     ("plot start.xyz none/a.png", r"none/a\.png: there is no folder none"),
     ("plot truncated.h5 a.png", r"^pw85: truncated\.h5: no readable HDF5 file .*: it is broken or truncated; bring back a copy"),
     # convert

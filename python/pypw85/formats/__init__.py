@@ -13,6 +13,7 @@ import gzip
 import itertools
 import os
 import re
+import sys
 import warnings
 import zlib
 from types import ModuleType
@@ -267,10 +268,12 @@ def check_storable(path: Path, format: str, system: System, **others: str) -> No
 def locate(path: Path, format: str, chosen: slice = slice(None)) -> Iterator[Location]:
     """Locations of the chosen frames. They are found one by one, unless frames are counted from the last."""
     located = FORMATS[format].locate(path)
-    if any(number is not None and number < 0 for number in (chosen.start, chosen.stop, chosen.step)):
+    numbers = chosen.start, chosen.stop, chosen.step
+    if any(number is not None and number < 0 for number in numbers):
         yield from list(located)[chosen]
     else:
-        yield from itertools.islice(located, chosen.start, chosen.stop, chosen.step)
+        # islice() takes no larger numbers, and no file has so many frames.
+        yield from itertools.islice(located, *(None if number is None else min(number, sys.maxsize) for number in numbers))
 
 
 def no_frames(path: Path, format: str, chosen: slice) -> FileError:
