@@ -20,6 +20,7 @@ COLUMNS = [
     ("confidence", ("0.9", "0.8"), ("0.95", "0.95"), "because it is 0.95 in all rows, as a level of confidence is"),
     ("u,v,w", ("0.1,0,0.2", "-3,2,0"), ("0,0,1", "0.6,0.8,0"), "because most rows have the length 1, as directions have"),
     ("ux,uy,uz", ("0.1,0,0.2", "0,0,0"), ("0,0,1", "0.6,0.8,0"), "because most rows have the length 1"),
+    ("ux,uy,uz", ("0.6,0.6,0.6", "0.55,0.55,0.55"), ("0.58,0.58,0.58", "0.57,0.57,0.57"), "because most rows have the length 1"),
     ("u_x,u_y,u_z", ("0.1,0,0.2", "0,0,0"), ("0,0,1", "0,0,0"), "because most rows have the length 1"),
     ("ax,ay,az", ("0,0,-9.8", "0,0,-9.8"), ("2,1,1", "2,1,1"), "because they may be lengths or directions"),
     ("ax,ay,az", ("0,0,0", "0,0,0"), ("0,0,-1", "0,0,1"), "because they may be lengths or directions"),

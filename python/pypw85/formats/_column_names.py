@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 
 from . import _turns
+from ._conventions import Names
 
-Names = tuple[str, ...]
 
 _XYZ, _INDEX, _FROM_1, _FROM_0 = ("x", "y", "z"), ("[1]", "[2]", "[3]"), ("1", "2", "3"), ("0", "1", "2")
 _INDEX_0, _ABC = ("[0]", "[1]", "[2]"), ("a", "b", "c")

@@ -11,7 +11,7 @@ from ._doubts import check_doubts
 from ._frames import Frame
 from ._table import Table
 from ._taken import Taken
-from ._turns import Turn
+from ._turns import ROUNDED_DIRECTION, Turn
 
 
 def fill(frame: Frame, taken: Taken, table: Table) -> None:
@@ -58,14 +58,12 @@ def _turn(frame: Frame, turn: Turn, table: Table) -> None:
 _TURN = 6.2832
 # Of angles and lengths that an eighth of a turn and a circle have, with seven digits
 _ROUNDED = 1e-6
-# Directions with two digits have lengths of 1 up to so much.
-_UNIT = 0.02
 
 
 def _check_directions(frame: Frame, turn: Turn, table: Table) -> None:
     """Refuses directions that may be angles by their names, unless they have the length 1."""
     lengths = np.linalg.norm(table.stack(turn.columns), axis=1)
-    wrong = ~(np.abs(lengths - turn.largest) < _UNIT)
+    wrong = ~(np.abs(lengths - turn.largest) < ROUNDED_DIRECTION)
     if wrong.any():
         names = ",".join(turn.columns)
         raise frame.error(f"has the length {lengths[wrong][0]:g} of {' '.join(turn.columns)}, which may be angles or a direction: say "

@@ -8,7 +8,7 @@ read is refused.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from . import _turns
 from ._column_names import (
@@ -30,20 +30,18 @@ from ._column_names import (
     SOUND_WHOLE,
     SPHERES,
     SPHEROIDS,
-    Names,
     first,
     order_of_letters,
     plain_name,
 )
 from ._comments import Meaning
-from ._conventions import NONE, Convention, named, possible, possible_ellipses, recognised
-from ._errors import FileError, for_option
+from ._conventions import NONE, Convention, Names, named, possible, possible_ellipses, recognised
+from ._errors import Error, for_option
 from ._options import Options, lengths_in_words
 from ._taken import Taken
 from ._turns import Turn
 from ._unused import check_unused
 
-Error = Callable[[str], FileError]
 _SHAPE_OF_SMD = ("{} may be lengths of property/atom, which are diameters, or of smd/tlsph/shape, which are radii: say which "
                  "(--lengths diameters or --lengths radii)")  # fmt: skip
 _TWO_ORDERS = ("{} is x y z w for OVITO and moltemplate, and w x y z for others: use --quaternion xyzw or --quaternion wxyz")

@@ -141,18 +141,13 @@ def without_empty_end(lines: Lines, separator: str | None, columns: list[str]) -
     """The names without an empty one at the end, behind the last separator, if the first row has none there."""
     if separator is None or columns[-1]:
         return columns
-    place = lines.location(lines.frame)
-    row = lines.next("\r\n") or ""
-    lines.back(place)
-    return columns[:-1] if len(split(row, separator)) == len(columns) - 1 else columns
+    return columns[:-1] if len(split(lines.first_row(), separator)) == len(columns) - 1 else columns
 
 
 def with_names_of_rows(lines: Lines, separator: str | None, columns: list[str]) -> list[str]:
     """Adds a column without a name before the others if the first row begins with a word in quotation marks that has none: R writes the
     names of rows so."""
-    place = lines.location(lines.frame)
-    row = lines.next("\r\n") or ""
-    lines.back(place)
+    row = lines.first_row()
     return ["", *columns] if _NAME_OF_ROW.match(row) and len(split(row, separator)) == len(columns) + 1 else columns
 
 
@@ -292,7 +287,5 @@ def names_of_columns(lines: Lines, line: str, options: Options) -> tuple[str | N
 
 def _separator_of_rows(lines: Lines, separator: str | None, count: int) -> str | None:
     """The separator of rows beneath names that are a comment: it may be another than that of the names."""
-    place = lines.location(lines.frame)
-    row = lines.next("\r\n") or ""
-    lines.back(place)
+    row = lines.first_row()
     return next((one for one in (separator, *_SEPARATORS) if len(split(row, one)) == count), separator)

@@ -10,13 +10,15 @@ from collections.abc import Sequence
 import numpy as np
 
 from .._typing import Floats
-from ._column_names import Names, matches, plain_name
+from ._column_names import matches, plain_name
+from ._conventions import Names
 from ._errors import for_option
 from ._frames import Frame
 from ._table import Table
+from ._turns import ROUNDED_DIRECTION
 
-# Numbers written with two digits make directions of lengths 0.98 to 1.02, and quaternions of 0.99 to 1.01.
-_UNIT, _UNIT_QUATERNION = 0.02, 0.01
+# Components of quaternions with two digits make lengths of 1 within this.
+_ROUNDED_QUATERNION = 0.01
 # Quaternions with three digits that mean one rotation have a scalar product of ±1 within this.
 _SAME = 1e-2
 # The confidence of a detection differs between bodies, and the level of ellipsoids of errors does not.
@@ -88,7 +90,7 @@ def _is_possible(names: Names, kind: str, values: Floats, frame: Frame) -> bool:
     norms = np.linalg.norm(values, axis=1)
     if kind == "quaternion":
         return _is_other_quaternion(names, values, norms, frame)
-    are_directions = 2 * int((np.abs(norms - 1) < _UNIT).sum()) >= max(int((norms > 0).sum()), 1)
+    are_directions = 2 * int((np.abs(norms - 1) < ROUNDED_DIRECTION).sum()) >= max(int((norms > 0).sum()), 1)
     return are_directions or (kind == "lengths" and bool((values >= 0).all() and values.any()))
 
 
@@ -96,7 +98,7 @@ def _is_other_quaternion(names: Names, values: Floats, norms: Floats, frame: Fra
     """Returns whether these may be quaternions of other orientations than those taken. Four numbers of which one is 1, and the others 0,
     may be counts or flags, unless the name says otherwise."""
     name = names[0].removesuffix("[1]")
-    if frame.quaternions is None or not (np.abs(norms - 1) < _UNIT_QUATERNION).all():
+    if frame.quaternions is None or not (np.abs(norms - 1) < _ROUNDED_QUATERNION).all():
         return matches(_OF_TURNS, name)
     are_plain = bool(np.isin(np.abs(values), (0, 1)).all())
     if are_plain and not matches(_OF_QUATERNIONS, name):

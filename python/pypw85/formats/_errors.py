@@ -40,6 +40,8 @@ class FileError(ValueError):
 
 
 FileError.__module__ = "pypw85"
+# Makes the error of a file from a sentence
+Error = Callable[[str], FileError]
 
 
 def for_option(names: Iterable[str]) -> str:

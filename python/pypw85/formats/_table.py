@@ -91,6 +91,13 @@ class Lines:
         # Spreadsheets begin a file with a byte order mark.
         return line.decode("utf-8", errors="replace").removeprefix("\ufeff" if self.number == 1 else "").strip(ends)
 
+    def first_row(self) -> str:
+        """The next line, empty if there is none, which is read again."""
+        place = self.location(self.frame)
+        row = self.next("\r\n") or ""
+        self.back(place)
+        return row
+
     def expect(self, what: str) -> str:
         line = self.next()
         if line is None:

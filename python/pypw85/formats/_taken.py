@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import NamedTuple
 from collections.abc import Iterator, Sequence
 
-from ._column_names import Names
+from ._conventions import Names
 from ._doubts import Doubt
 from ._turns import Turn
 

@@ -8,20 +8,18 @@ from __future__ import annotations
 
 import re
 from typing import NamedTuple
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 import numpy as np
 
 from .._rotations import directions_of_polar, quaternions_of_euler
 from .._typing import Floats
 from .._words import counted
-from ._conventions import Convention, sense_in_words, sequence_in_words
-from ._errors import FileError, for_option
+from ._conventions import Convention, Names, sense_in_words, sequence_in_words
+from ._errors import Error, for_option
 from ._options import Options
 from ._table import Table
 
-Names = tuple[str, ...]
-Error = Callable[[str], FileError]
 
 # In texts in Latin-1, ° is a character that is not read (\ufffd).
 _UNITS = re.compile(r"(.*?)(?:[\s_]in(?=[\s_]))?[\s_.,:/(\[-]*(?:(deg|degs|degrees?|°|\ufffd)\.?|(rad|rads|radians?)\.?)?"
@@ -40,6 +38,8 @@ _TRIPLES: list[Names] = [
 _PAIRS: list[Names] = [("theta", "phi"), ("polar", "azimuth"), ("inclination", "azimuth"), ("elevation", "azimuth"), ("elev", "azim"),
                        ("zenith", "azimuth"), ("colatitude", "azimuth"), ("tilt", "azimuth"), ("polar", "azimuthal"),
                        ("plunge", "trend")]  # fmt: skip
+# Components of directions with two digits make lengths of 1 within this.
+ROUNDED_DIRECTION = 0.02
 # Names of the angle of an ellipse
 _OF_ELLIPSES = ("angle", "theta", "phi", "orientation", "rotation", "psi", "alpha")
 _DIRECTIONS: list[Names] = [

@@ -4,17 +4,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from . import _turns
 from ._column_names import DERIVED, OTHERS, SIZES, matches, plain_name, sounds_like_turn
 from ._conventions import Convention, is_harmless
 from ._doubts import Doubt, doubts_of, second_quaternions
-from ._errors import FileError, for_option
+from ._errors import Error, for_option
 from ._options import Options
 from ._taken import Taken
 
-Error = Callable[[str], FileError]
 
 _COMPONENTS = {f"q{k}" for k in range(5)}
 

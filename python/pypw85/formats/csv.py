@@ -188,9 +188,7 @@ def _are_words(words: list[str], places: list[int]) -> bool:
 
 def _starts_with_number(lines: Lines, separator: str | None, column: int) -> bool:
     """Returns whether the first row has a number in this column, or is too short for a row."""
-    place = lines.location(lines.frame)
-    words = split(lines.next("\r\n") or "", separator)
-    lines.back(place)
+    words = split(lines.first_row(), separator)
     return column >= len(words) or NUMBER.fullmatch(words[column].replace(",", ".")) is not None
 
 
